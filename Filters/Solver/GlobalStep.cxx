@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GlobalStep.h"
+
+#include "Stopwatch.h"
+
+namespace SphericalStyle
+{
+GlobalStep::GlobalStep(const MeshTopology& topology, const std::vector<int>& pinned)
+  : Fixed(topology.GetNumberOfPoints(), 0)
+  , ComponentIsPinned(topology.GetNumberOfComponents(), 0)
+{
+  for (const int i : pinned)
+  {
+    this->Fixed[i] = 1;
+    this->ComponentIsPinned[topology.GetComponents()[i]] = 1;
+  }
+  for (int c = 0; c < topology.GetNumberOfComponents(); ++c)
+  {
+    if (!this->ComponentIsPinned[c])
+    {
+      this->Fixed[topology.GetLastPoints()[c]] = 1;
+    }
+  }
+  this->Matrix = EdgeMatrix(topology, this->Fixed);
+
+  const Triangles& F = topology.GetTriangles();
+  const std::vector<int>& rows = this->Matrix.GetRows();
+  for (int h = 0; h < static_cast<int>(F.size()); ++h)
+  {
+    const int u = F(h / 3, HalfEdgeStart(h % 3));
+    const int v = F(h / 3, HalfEdgeEnd(h % 3));
+    if (rows[u] >= 0 && rows[v] < 0)
+    {
+      this->Borders.push_back({ rows[u], v, h });
+    }
+    else if (rows[u] < 0 && rows[v] >= 0)
+    {
+      this->Borders.push_back({ rows[v], u, h });
+    }
+  }
+}
+
+bool GlobalStep::SetWeights(const HalfEdgeScalars& k, double scale)
+{
+  this->Scale = scale;
+  this->AnalyzeSeconds = this->FactorSeconds = 0.0;
+  if (this->Factored.size() == k.size() && this->Factored == k)
+  {
+    return false;
+  }
+  this->Factored.resize(0, 3); // nothing is factored if the next lines throw
+  if (this->Matrix.GetNumberOfRows() > 0)
+  {
+    const Stopwatch analyze;
+    const SparseCholesky::Matrix& A = this->Matrix.Assemble(3.0 * k);
+    if (!this->Analyzed)
+    {
+      this->Factor.Analyze(A);
+      this->Analyzed = true;
+    }
+    this->AnalyzeSeconds = analyze.Seconds();
+    const Stopwatch factor;
+    this->Factor.Factor(A);
+    this->FactorSeconds = factor.Seconds();
+  }
+  this->Factored = k;
+  return true;
+}
+
+void GlobalStep::Solve(const Points& b, Points& Q)
+{
+  const std::vector<int>& rows = this->Matrix.GetRows();
+  this->Work.resize(this->Matrix.GetNumberOfRows(), 3);
+  if (this->Work.rows() == 0)
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    if (rows[i] >= 0)
+    {
+      this->Work.row(rows[i]) = b.row(static_cast<Eigen::Index>(i)) / this->Scale;
+    }
+  }
+  for (const Border& border : this->Borders)
+  {
+    this->Work.row(border.row) +=
+      3.0 * this->Factored.data()[border.halfEdge] * Q.row(border.fixedPoint);
+  }
+  this->Factor.Solve(this->Work);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    if (rows[i] >= 0)
+    {
+      Q.row(static_cast<Eigen::Index>(i)) = this->Work.row(rows[i]);
+    }
+  }
+}
+} // namespace SphericalStyle

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The global step [global] (Eq. 4.22 - 4.38): factor once, solve often.
+#ifndef SphericalStyle_GlobalStep_h
+#define SphericalStyle_GlobalStep_h
+
+#include "EdgeMatrix.h"
+
+namespace SphericalStyle
+{
+/// Solves L Q = b, L = sum_h 3 s k_h (x_u - x_v)^2. The null space of L is one constant vector per
+/// component, so one point of each is fixed: those the caller names, and the last point of every
+/// component that has none.
+class GlobalStep
+{
+public:
+  GlobalStep() = default;
+  /// @param topology  kept by reference, must outlive this @param pinned  points the user fixes
+  GlobalStep(const MeshTopology& topology, const std::vector<int>& pinned);
+
+  /// Sets L. Factors only if k differs from the weights factored last; a new scale costs nothing,
+  /// and new k keep ordering and symbolic factor. @throw SolverError
+  /// @return whether it factored
+  bool SetWeights(const HalfEdgeScalars& k, double scale);
+
+  /// @param b  n x 3 @param Q  n x 3: fixed rows hold their positions, the others are replaced
+  void Solve(const Points& b, Points& Q);
+
+  /// n flags: points that Solve does not move.
+  const std::vector<char>& GetFixed() const { return this->Fixed; }
+  /// Flags per component: whether the caller fixed a point of it.
+  const std::vector<char>& GetComponentIsPinned() const { return this->ComponentIsPinned; }
+
+  double GetAnalyzeSeconds() const { return this->AnalyzeSeconds; }
+  double GetFactorSeconds() const { return this->FactorSeconds; }
+  const char* GetSolverName() const { return this->Factor.GetName(); }
+
+private:
+  std::vector<char> Fixed;
+  std::vector<char> ComponentIsPinned;
+  EdgeMatrix Matrix;
+  SparseCholesky Factor;
+  HalfEdgeScalars Factored; // the k of the factor
+  double Scale = 1.0;
+  bool Analyzed = false;
+  struct Border // a half-edge between a free row and a fixed point
+  {
+    int row;
+    int fixedPoint;
+    int halfEdge;
+  };
+  std::vector<Border> Borders;
+  SparseCholesky::RightHandSides Work;
+  double AnalyzeSeconds = 0.0;
+  double FactorSeconds = 0.0;
+};
+} // namespace SphericalStyle
+
+#endif

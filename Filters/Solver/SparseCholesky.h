@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The one place where sparse linear systems are solved: factor once, solve often.
+#ifndef SphericalStyle_SparseCholesky_h
+#define SphericalStyle_SparseCholesky_h
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+
+namespace SphericalStyle
+{
+/// Symmetric positive definite system A X = B for few right-hand sides.
+///
+/// CHOLMOD's supernodal Cholesky where the build has SuiteSparse, Eigen's SimplicialLDLT otherwise.
+/// A matrix that is not positive definite (possible only with full-edge weights) is factored by
+/// LDLT, which needs no sign.
+class SparseCholesky
+{
+public:
+  using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>; ///< lower triangle, compressed
+  using RightHandSides = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+  enum class Backend
+  {
+    Best, ///< Cholmod where it was built in
+    Cholmod,
+    Eigen
+  };
+
+  /// @throw std::invalid_argument when the backend was not built in
+  explicit SparseCholesky(Backend backend = Backend::Best);
+  ~SparseCholesky();
+  SparseCholesky(SparseCholesky&&) noexcept;
+  SparseCholesky& operator=(SparseCholesky&&) noexcept;
+
+  static bool HasCholmod();
+  /// What solves: "CHOLMOD supernodal LLT" or "Eigen LDLT".
+  const char* GetName() const;
+
+  /// Ordering and symbolic factorisation of A's pattern. @throw SolverError
+  void Analyze(const Matrix& A);
+  /// Numeric factorisation; the pattern must be that of Analyze. @throw SolverError if A is
+  /// singular
+  void Factor(const Matrix& A);
+  /// Replaces B (n x 3) by A^-1 B. @throw SolverError if the result is not finite
+  void Solve(RightHandSides& B) const;
+
+private:
+  class Implementation;
+  class EigenImplementation;
+  class CholmodImplementation;
+  std::unique_ptr<Implementation> Impl;
+};
+} // namespace SphericalStyle
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The energy of the linear feature [energy] in its general edge form:
+///
+///     E(P', R) = sum_f sum_{h in f} sum_{y in f}
+///                  c_h |e'_h - R_y e_h|^2 + l_h |e'_h - f_h - R_y delta_h|^2
+///
+/// The thesis (Eq. 4.8) is f = 0, delta = tau; with details kept [detail] f = tau and delta are the
+/// details. Every style is a choice of these four and not a new solver.
+#ifndef SphericalStyle_StyleEnergy_h
+#define SphericalStyle_StyleEnergy_h
+
+#include "EdgeWeights.h"
+#include "MeshTopology.h"
+
+namespace SphericalStyle
+{
+/// The two terms of the energy, length^2.
+struct EnergyTerms
+{
+  double rigid = 0.0;
+  double spherical = 0.0;
+  double Total() const { return this->rigid + this->spherical; }
+};
+
+class StyleEnergy
+{
+public:
+  StyleEnergy() = default;
+  /// @param topology  kept by reference, must outlive this
+  /// @param e  rest edges @param delta  turning targets @param f  fixed targets, or 0 rows for none
+  ///        (m x 9 each, length)
+  StyleEnergy(const MeshTopology& topology, EdgeWeights weights, HalfEdgeVectors e,
+    HalfEdgeVectors delta, HalfEdgeVectors f, int threads);
+
+  const EdgeWeights& GetWeights() const { return this->Weights; }
+  const MeshTopology& GetTopology() const { return *this->Topology; }
+  int GetThreads() const { return this->Threads; }
+
+  /// E(Q, R). Summed from residuals, so that it keeps its digits near zero.
+  EnergyTerms Evaluate(const Points& Q, const Matrices& R) const;
+  /// The share of each cell (point) in E(Q, R), n values that sum to it.
+  Eigen::VectorXd CellEnergies(const Points& Q, const Matrices& R) const;
+  /// S_y = sum_{f at y} sum_{h in f} (c e + l delta) e'^T - l delta f^T (Eq. 4.13) [local].
+  void Covariances(const Points& Q, Matrices& S);
+  /// Row u: sum over half-edges uv of (R_a + R_b + R_c)(c e + l delta) + 3 l f (Eq. 4.26) [global].
+  void RightHandSide(const Matrices& R, Points& b);
+  /// A scale to hold energies against: sum 3 (c |e|^2 + l |delta + f|^2), signs dropped.
+  double GetScale() const { return this->Scale; }
+
+private:
+  bool HasFixedTargets() const { return this->FixedTargets.rows() > 0; }
+
+  const MeshTopology* Topology = nullptr;
+  EdgeWeights Weights;
+  HalfEdgeVectors Edges;          // e
+  HalfEdgeVectors TurningTargets; // delta
+  HalfEdgeVectors FixedTargets;   // f
+  HalfEdgeVectors Pull;           // g = c e + l delta
+  Matrices FixedCovariances;      // per triangle: sum_h l delta f^T, empty without fixed targets
+  double Scale = 0.0;
+  int Threads = 1;
+  // Work space: per triangle and per corner, gathered by point.
+  Matrices TriangleCovariances;
+  HalfEdgeVectors CornerPulls;
+};
+} // namespace SphericalStyle
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The whole method for the linear feature: options in, deformed points and a report out.
+#ifndef SphericalStyle_StyleSolver_h
+#define SphericalStyle_StyleSolver_h
+
+#include "GlobalStep.h"
+#include "LocalGlobal.h"
+#include "TargetDirections.h"
+
+#include <memory>
+
+namespace SphericalStyle
+{
+enum class Anchor
+{
+  Centroid, ///< the mean point of each component stays
+  LastPoint ///< the last point of each component stays (thesis)
+};
+
+enum class InitialGuess
+{
+  Blend, ///< R = I and one global step, not counted [start]
+  Rest   ///< the rest points (thesis)
+};
+
+/// What the user wants. Lengths and positions are in model units. Arrays of 0 rows mean "none".
+struct StyleOptions
+{
+  double lambda = 0.5;      ///< roundness, >= 0
+  double normalBlend = 0.0; ///< a, 0..1
+  CenterMode centerMode = CenterMode::PointMean;
+  RadiusMode radiusMode = RadiusMode::EqualArea;
+  Sphere custom;           ///< for the Custom modes
+  double detailSize = 0.0; ///< fraction of the diagonal of the bounds [detail]; 0: the thesis
+  SphericalWeighting sphericalWeighting = SphericalWeighting::Uniform;
+  ConcaveEdges concaveEdges = ConcaveEdges::Keep;
+  EdgeWeighting edgeWeighting = EdgeWeighting::HalfEdge;
+  Anchor anchor = Anchor::Centroid;
+  InitialGuess initialGuess = InitialGuess::Blend;
+  LoopOptions loop;
+  int threads = 1;
+
+  Eigen::VectorXd roundnessFactors; ///< n, >= 0: lambda_i = lambda * factor
+  Eigen::VectorXd normalBlends;     ///< n, 0..1: replaces a
+  Points normals;                   ///< n x 3 unit normals; computed where absent or detailSize > 0
+  Points targets;                   ///< n x 3, replaces t
+  std::vector<int> fixedPoints;     ///< points that keep fixedPositions, exactly
+  Points fixedPositions;            ///< one row per fixed point
+};
+
+/// The method of the thesis to the letter: the options with everything else overridden.
+StyleOptions ThesisOptions(StyleOptions options);
+
+/// Wall time of the stages of one solve, seconds.
+struct StageSeconds
+{
+  double base = 0.0;    ///< smooth base of [detail]
+  double weights = 0.0; ///< cotangents, weights, targets
+  double analyze = 0.0; ///< matrix, ordering, symbolic factor
+  double factor = 0.0;  ///< numeric factor
+  double iterate = 0.0; ///< start and loop
+};
+
+struct StyleReport
+{
+  LoopReport loop;
+  Sphere sphere;                   ///< what was used, model units
+  bool closedForm = false;         ///< the minimum was known: nothing was solved [blend]
+  std::vector<int> pointsOnCenter; ///< points without a direction of their own
+  int concaveHalfEdges = 0;        ///< flipped or zeroed
+  bool factored = false;           ///< whether this solve had to factor
+  const char* linearSolver = "none";
+  StageSeconds seconds;
+};
+
+/// Built once per mesh and kept: a solve redoes only what its options invalidate.
+///
+/// | change                                   | redone                                   |
+/// |------------------------------------------|------------------------------------------|
+/// | triangles                                | all                                      |
+/// | points                                   | all but topology, ordering, symbolic     |
+/// | lambda (uniform weights), edge weighting | matrix values, numeric factor, targets   |
+/// | lambda (cotangent weights)               | targets                                  |
+/// | fixed points                             | ordering, symbolic and numeric factor    |
+/// | detail size                              | base, targets                            |
+/// | a, O, r, normals, targets, concave edges | targets                                  |
+class StyleSolver
+{
+public:
+  StyleSolver();
+  ~StyleSolver();
+
+  /// Takes the mesh; keeps everything that an equal mesh or equal triangles allow to keep.
+  /// @throw std::invalid_argument: see MeshTopology; points not finite; triangles without area
+  void SetMesh(const TriangleMesh& mesh);
+
+  /// Deforms the mesh. @throw std::invalid_argument for options out of range or of wrong size
+  /// @throw SolverError @return the report; positions and rotations are then at hand
+  StyleReport Solve(const StyleOptions& options, const Callback& callback = {});
+
+  const Points& GetPositions() const;      ///< P', n x 3, model units
+  const Points& GetDirections() const;     ///< t, n x 3
+  const Matrices& GetRotations() const;    ///< R, n, rest to deformed
+  Eigen::VectorXd GetCellEnergies() const; ///< n, length^2
+
+private:
+  class State;
+  std::unique_ptr<State> S;
+};
+} // namespace SphericalStyle
+
+#endif

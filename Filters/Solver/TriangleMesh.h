@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Types that every part of the solver shares. Eigen only.
+#ifndef SphericalStyle_TriangleMesh_h
+#define SphericalStyle_TriangleMesh_h
+
+#include <Eigen/Core>
+
+#include <stdexcept>
+#include <vector>
+
+namespace SphericalStyle
+{
+/// n x 3, one point or vector per row.
+using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+/// m x 3, 0-based corners of the triangles.
+using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
+/// m x 3, one number per half-edge. Half-edge k of triangle (a_0, a_1, a_2) lies opposite corner k
+/// and runs from u = a_{k+1} to v = a_{k+2}; its vector is p_u - p_v.
+using HalfEdgeScalars = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+/// m x 9, one vector per half-edge, in the order of the half-edges.
+using HalfEdgeVectors = Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor>;
+/// One 3 x 3 matrix per point (rotations R, covariances S).
+using Matrices = std::vector<Eigen::Matrix3d>;
+
+/// Triangles in space. No orientation, closedness or manifoldness is asked for.
+struct TriangleMesh
+{
+  Points P;    ///< n x 3, length
+  Triangles F; ///< m x 3, 0-based
+};
+
+/// A linear system that cannot be factored, or a result that is not finite.
+class SolverError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Corner that half-edge k starts from (u) and ends at (v).
+inline int HalfEdgeStart(int k)
+{
+  return (k + 1) % 3;
+}
+inline int HalfEdgeEnd(int k)
+{
+  return (k + 2) % 3;
+}
+
+/// x_u - x_v for every half-edge uv of a field x of one vector per point.
+HalfEdgeVectors HalfEdgeDifferences(const Points& x, const Triangles& F);
+} // namespace SphericalStyle
+
+#endif
