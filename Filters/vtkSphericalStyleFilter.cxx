@@ -1,0 +1,515 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSphericalStyleFilter.h"
+
+#include "vtkSurfaceMeshConversion.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkVersion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+using SphericalStyle::Points;
+
+vtkStandardNewMacro(vtkSphericalStyleFilter);
+
+namespace
+{
+enum InputArrays
+{
+  NORMALS = 0,
+  ROUNDNESS_FACTOR = 1,
+  NORMAL_BLEND = 2,
+  TARGET_DIRECTIONS = 3
+};
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr vtkSurfaceMeshConversion::ArrayRule ArrayRules[] = {
+  { "Normals", 3, -Infinity, Infinity },
+  { "Roundness factor", 1, 0.0, Infinity },
+  { "Normal blend", 1, 0.0, 1.0 },
+  { "Target directions", 3, -Infinity, Infinity },
+};
+
+int ThreadsToUse(int wanted)
+{
+  if (wanted > 0)
+  {
+    return wanted;
+  }
+  const char* limit = std::getenv("VTK_SMP_MAX_THREADS");
+  const int fromEnvironment = limit ? std::atoi(limit) : 0;
+  return fromEnvironment > 0 ? fromEnvironment
+                             : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+/// An array of the number type of the output points.
+vtkSmartPointer<vtkDataArray> NewPointArray(const char* name, int type, int components, vtkIdType n)
+{
+  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(n);
+  return array;
+}
+
+/// One value per mesh point, spread to the input points; zero where nothing moves.
+template <typename RowOf>
+void SpreadToPoints(vtkPolyData* output, const vtkSurfaceMesh& surface, const char* name, int type,
+  int components, RowOf&& rowOf)
+{
+  const vtkIdType n = output->GetNumberOfPoints();
+  auto array = NewPointArray(name, type, components, n);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(components);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const int from = surface.MeshPoint[i];
+    const Eigen::VectorXd row = from >= 0 ? Eigen::VectorXd(rowOf(from)) : zero;
+    array->SetTuple(i, row.data());
+  }
+  output->GetPointData()->AddArray(array);
+}
+
+int PointsType(vtkPolyData* input, int precision)
+{
+  if (precision == vtkAlgorithm::DEFAULT_PRECISION)
+  {
+    return input->GetPoints()->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE;
+  }
+  return precision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE;
+}
+
+/// Moved points get their new place, all others keep their bits.
+void ReplacePoints(
+  vtkPolyData* input, vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q, int type)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(type);
+  points->SetNumberOfPoints(input->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    const int from = surface.MeshPoint[i];
+    points->SetPoint(i, from >= 0 ? Q.row(from).data() : input->GetPoint(i));
+  }
+  output->SetPoints(points);
+}
+
+/// Normals of the faces after the points have moved; vertices and lines keep theirs.
+void RecomputeCellNormals(vtkPolyData* output)
+{
+  vtkDataArray* before = output->GetCellData()->GetNormals();
+  if (!before)
+  {
+    return;
+  }
+  auto normals = vtk::TakeSmartPointer(before->NewInstance());
+  normals->DeepCopy(before);
+  vtkNew<vtkIdList> ids;
+  double normal[3];
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    output->GetCellPoints(cell, ids);
+    const int type = output->GetCellType(cell);
+    const bool strip = type == VTK_TRIANGLE_STRIP;
+    if (strip || type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON)
+    {
+      vtkPolygon::ComputeNormal(output->GetPoints(),
+        static_cast<int>(strip ? 3 : ids->GetNumberOfIds()), ids->GetPointer(0), normal);
+      normals->SetTuple(cell, normal);
+    }
+  }
+  output->GetCellData()->SetNormals(normals);
+}
+
+void RecomputePointNormals(
+  vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q, bool generate)
+{
+  vtkDataArray* before = output->GetPointData()->GetNormals();
+  if (!before && !generate)
+  {
+    return;
+  }
+  const Points n = vtkSurfaceMeshConversion::MovedNormals(Q, surface, before);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName(before && before->GetName() ? before->GetName() : "Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(n.rows());
+  for (Eigen::Index i = 0; i < n.rows(); ++i)
+  {
+    normals->SetTuple(i, n.row(i).data());
+  }
+  output->GetPointData()->SetNormals(normals);
+}
+
+void FillHistory(vtkTable* table, const SphericalStyle::LoopReport& report)
+{
+  using Row = SphericalStyle::HistoryRow;
+  vtkNew<vtkIntArray> iteration;
+  iteration->SetName("Iteration");
+  for (const Row& row : report.history)
+  {
+    iteration->InsertNextValue(row.iteration);
+  }
+  table->AddColumn(iteration);
+  const auto add = [&](const char* name, double (*value)(const Row&))
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    for (const Row& row : report.history)
+    {
+      column->InsertNextValue(value(row));
+    }
+    table->AddColumn(column);
+  };
+  add("Total", [](const Row& r) { return r.energy.Total(); });
+  add("Rigid", [](const Row& r) { return r.energy.rigid; });
+  add("Spherical", [](const Row& r) { return r.energy.spherical; });
+  add("LocalChange", [](const Row& r) { return r.localChange; });
+  add("GlobalChange", [](const Row& r) { return r.globalChange; });
+  add("Residual", [](const Row& r) { return r.residual; });
+  add("Gap", [](const Row& r) { return r.gap; });
+}
+}
+
+//------------------------------------------------------------------------------------------------
+struct vtkSphericalStyleFilter::Internals
+{
+  SphericalStyle::StyleSolver Solver;
+
+  /// @throw std::invalid_argument naming the property and its value
+  static void CheckProperties(const vtkSphericalStyleFilter* self);
+  /// The array for index, or nullptr where none was asked for. @throw std::invalid_argument
+  static vtkDataArray* FindArray(
+    vtkSphericalStyleFilter* self, int index, vtkInformationVector** input);
+  static SphericalStyle::StyleOptions MakeOptions(
+    vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, vtkInformationVector** input);
+  static bool Aborted(vtkSphericalStyleFilter* self);
+  void Warn(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
+    const SphericalStyle::StyleReport& report) const;
+  void AttachArrays(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
+    vtkPolyData* input, vtkPolyData* output) const;
+};
+
+void vtkSphericalStyleFilter::Internals::CheckProperties(const vtkSphericalStyleFilter* self)
+{
+  const auto require = [](bool good, const char* name, const char* must, double value)
+  {
+    if (!good)
+    {
+      std::ostringstream message;
+      message << name << " must be " << must << "; it is " << value;
+      throw std::invalid_argument(message.str());
+    }
+  };
+  require(std::isfinite(self->Roundness) && self->Roundness >= 0.0, "Roundness",
+    "finite and 0 or more", self->Roundness);
+  require(self->NormalBlend >= 0.0 && self->NormalBlend <= 1.0, "NormalBlend", "in 0..1",
+    self->NormalBlend);
+  require(self->DetailSize >= 0.0 && self->DetailSize <= 0.2, "DetailSize", "in 0..0.2",
+    self->DetailSize);
+  require(self->Tolerance > 0.0 && self->Tolerance < 1.0, "Tolerance", "above 0 and below 1",
+    self->Tolerance);
+  if (self->RadiusMode == CUSTOM_RADIUS)
+  {
+    require(std::isfinite(self->Radius) && self->Radius > 0.0, "Radius", "finite and above 0",
+      self->Radius);
+  }
+  if (self->CenterMode == CUSTOM_CENTER)
+  {
+    for (const double x : self->Center)
+    {
+      require(std::isfinite(x), "Center", "finite", x);
+    }
+  }
+}
+
+vtkDataArray* vtkSphericalStyleFilter::Internals::FindArray(
+  vtkSphericalStyleFilter* self, int index, vtkInformationVector** input)
+{
+  vtkInformation* wanted = self->GetInputArrayInformation(index);
+  const char* name = wanted->Get(vtkDataObject::FIELD_NAME());
+  const bool byName = name && *name && std::string(name) != "None";
+  if (name && !byName)
+  {
+    return nullptr;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* array = self->GetInputArrayToProcess(index, input, association);
+  if (byName && (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS))
+  {
+    throw std::invalid_argument(std::string(ArrayRules[index].Purpose) +
+      ": there is no numeric point array \"" + name + "\"");
+  }
+  return array;
+}
+
+SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
+  vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, vtkInformationVector** input)
+{
+  using namespace SphericalStyle;
+  StyleOptions o;
+  o.lambda = self->Roundness;
+  o.normalBlend = self->NormalBlend;
+  o.centerMode = static_cast<SphericalStyle::CenterMode>(self->CenterMode);
+  o.radiusMode = static_cast<SphericalStyle::RadiusMode>(self->RadiusMode);
+  o.custom = { Eigen::Vector3d(self->Center), self->Radius };
+  o.detailSize = self->DetailSize;
+  o.sphericalWeighting = static_cast<SphericalStyle::SphericalWeighting>(self->SphericalWeighting);
+  o.concaveEdges = static_cast<SphericalStyle::ConcaveEdges>(self->ConcaveEdges);
+  o.edgeWeighting = static_cast<SphericalStyle::EdgeWeighting>(self->EdgeWeighting);
+  o.anchor = static_cast<SphericalStyle::Anchor>(self->Anchor);
+  o.initialGuess = static_cast<SphericalStyle::InitialGuess>(self->InitialGuess);
+  o.loop.stopRule = static_cast<SphericalStyle::StopRule>(self->StopRule);
+  o.loop.tolerance = self->Tolerance;
+  o.loop.maximumNumberOfIterations = self->MaximumNumberOfIterations;
+  o.loop.acceleration = self->Acceleration;
+  o.threads = ThreadsToUse(self->NumberOfThreads);
+
+  const vtkIdType n = vtkPolyData::GetData(input[0], 0)->GetNumberOfPoints();
+  const auto gather = [&](int index)
+  {
+    vtkDataArray* array = FindArray(self, index, input);
+    return array ? vtkSurfaceMeshConversion::GatherPointArray(array, n, surface, ArrayRules[index])
+                 : Points();
+  };
+  o.roundnessFactors = gather(ROUNDNESS_FACTOR).col(0);
+  o.normalBlends = gather(NORMAL_BLEND).col(0);
+  o.targets = gather(TARGET_DIRECTIONS);
+  const bool useNormals =
+    o.normalBlend > 0.0 || (o.normalBlends.size() > 0 && o.normalBlends.maxCoeff() > 0.0);
+  if (useNormals && o.targets.rows() == 0)
+  {
+    o.normals = gather(NORMALS);
+    for (Eigen::Index i = 0; i < o.normals.rows(); ++i)
+    {
+      o.normals.row(i) = o.normals.row(i).stableNormalized();
+    }
+  }
+  return self->ReproduceThesis ? ThesisOptions(o) : o;
+}
+
+bool vtkSphericalStyleFilter::Internals::Aborted(vtkSphericalStyleFilter* self)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220823) // the first with CheckAbort
+  return self->CheckAbort();
+#else
+  return self->GetAbortExecute() != 0;
+#endif
+}
+
+void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
+  const vtkSurfaceMesh& surface, const SphericalStyle::StyleReport& report) const
+{
+  const auto warn = [self](const std::string& text) { vtkWarningWithObjectMacro(self, << text); };
+  if (surface.FannedPolygons > 0)
+  {
+    warn(std::to_string(surface.FannedPolygons) +
+      " polygons cannot be triangulated and were cut as fans, the first is cell " +
+      std::to_string(surface.FirstFannedPolygon));
+  }
+  if (surface.DegenerateTriangles > 0)
+  {
+    warn(std::to_string(surface.DegenerateTriangles) +
+      " degenerate triangles were skipped, the first in cell " +
+      std::to_string(surface.FirstDegenerateCell) + "; points of no other triangle stay in place");
+  }
+  if (!report.pointsOnCenter.empty())
+  {
+    warn(std::to_string(report.pointsOnCenter.size()) +
+      " points lie on the centre and have no direction from it, the first is point " +
+      std::to_string(surface.FirstInputPoint(report.pointsOnCenter.front())) +
+      "; they take the mean of their neighbours'");
+  }
+  if (!report.loop.converged && !report.loop.aborted)
+  {
+    warn("not converged after " + std::to_string(report.loop.iterations) +
+      " iterations; raise MaximumNumberOfIterations or Tolerance");
+  }
+}
+
+void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* self,
+  const vtkSurfaceMesh& surface, vtkPolyData* input, vtkPolyData* output) const
+{
+  const int type = output->GetPoints()->GetDataType();
+  if (self->GenerateTargetDirection)
+  {
+    SpreadToPoints(output, surface, "TargetDirection", type, 3,
+      [this](int i) { return this->Solver.GetDirections().row(i).transpose(); });
+  }
+  if (self->GenerateDisplacement)
+  {
+    auto displacement = NewPointArray("Displacement", type, 3, output->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const Eigen::Vector3d before(input->GetPoint(i));
+      const Eigen::Vector3d moved = Eigen::Vector3d(output->GetPoint(i)) - before;
+      displacement->SetTuple(i, moved.data());
+    }
+    output->GetPointData()->AddArray(displacement);
+  }
+  if (self->GenerateCellEnergy)
+  {
+    const Eigen::VectorXd energy = this->Solver.GetCellEnergies();
+    SpreadToPoints(
+      output, surface, "CellEnergy", VTK_DOUBLE, 1, [&](int i) { return energy.segment<1>(i); });
+  }
+  if (self->GenerateRotation)
+  {
+    SpreadToPoints(output, surface, "Rotation", type, 9,
+      [this](int i)
+      {
+        const Eigen::Matrix3d rows = this->Solver.GetRotations()[i].transpose();
+        return Eigen::VectorXd(rows.reshaped());
+      });
+  }
+}
+
+//------------------------------------------------------------------------------------------------
+vtkSphericalStyleFilter::vtkSphericalStyleFilter()
+  : Internal(std::make_unique<Internals>())
+{
+  this->SetNumberOfOutputPorts(2);
+  this->SetInputArrayToProcess(
+    NORMALS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::NORMALS);
+  for (const int index : { ROUNDNESS_FACTOR, NORMAL_BLEND, TARGET_DIRECTIONS })
+  {
+    this->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
+  }
+}
+
+vtkSphericalStyleFilter::~vtkSphericalStyleFilter() = default;
+
+int vtkSphericalStyleFilter::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
+    return 1;
+  }
+  return this->Superclass::FillOutputPortInformation(port, info);
+}
+
+int vtkSphericalStyleFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkTable* history = vtkTable::GetData(outputVector, 1);
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+
+  vtkSurfaceMesh surface;
+  SphericalStyle::StyleReport report;
+  Points Q;
+  try
+  {
+    Internals::CheckProperties(this);
+    surface = vtkSurfaceMeshConversion::FromPolyData(input, this->WeldCoincidentPoints);
+    const SphericalStyle::StyleOptions options = Internals::MakeOptions(this, surface, inputVector);
+    this->SetProgressText("Rounding");
+    this->UpdateProgress(0.1);
+    if (surface.Mesh.F.rows() > 0)
+    {
+      this->Internal->Solver.SetMesh(surface.Mesh);
+      report = this->Internal->Solver.Solve(options,
+        [this](int iteration, double)
+        {
+          this->UpdateProgress(1.0 - 0.8 / (1.0 + 0.1 * iteration));
+          return !Internals::Aborted(this);
+        });
+      Q = this->Internal->Solver.GetPositions();
+    }
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+
+  output->ShallowCopy(input);
+  if (surface.Mesh.F.rows() == 0)
+  {
+    vtkWarningMacro("the input has no triangle with an area: nothing moves");
+  }
+  else
+  {
+    this->Internal->Warn(this, surface, report);
+  }
+  ReplacePoints(input, output, surface, Q, PointsType(input, this->OutputPointsPrecision));
+  RecomputePointNormals(output, surface, Q, this->GenerateNormals);
+  RecomputeCellNormals(output);
+  this->Internal->AttachArrays(this, surface, input, output);
+  FillHistory(history, report.loop);
+
+  this->NumberOfIterations = report.loop.iterations;
+  this->Converged = report.loop.converged;
+  this->FinalEnergy = report.loop.history.empty() ? 0.0 : report.loop.history.back().energy.Total();
+  std::copy_n(report.sphere.center.data(), 3, this->EffectiveCenter);
+  this->EffectiveRadius = report.sphere.radius;
+  return 1;
+}
+
+void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto onOff = [](bool on) { return on ? "On" : "Off"; };
+  const auto triple = [](const double* x)
+  {
+    std::ostringstream text;
+    text << "(" << x[0] << ", " << x[1] << ", " << x[2] << ")";
+    return text.str();
+  };
+  os << indent << "Roundness: " << this->Roundness << "\n";
+  os << indent << "NormalBlend: " << this->NormalBlend << "\n";
+  os << indent << "CenterMode: " << this->CenterMode << "\n";
+  os << indent << "Center: " << triple(this->Center) << "\n";
+  os << indent << "RadiusMode: " << this->RadiusMode << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "DetailSize: " << this->DetailSize << "\n";
+  os << indent << "SphericalWeighting: " << this->SphericalWeighting << "\n";
+  os << indent << "ConcaveEdges: " << this->ConcaveEdges << "\n";
+  os << indent << "EdgeWeighting: " << this->EdgeWeighting << "\n";
+  os << indent << "StopRule: " << this->StopRule << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
+  os << indent << "Acceleration: " << onOff(this->Acceleration) << "\n";
+  os << indent << "Anchor: " << this->Anchor << "\n";
+  os << indent << "WeldCoincidentPoints: " << onOff(this->WeldCoincidentPoints) << "\n";
+  os << indent << "InitialGuess: " << this->InitialGuess << "\n";
+  os << indent << "ReproduceThesis: " << onOff(this->ReproduceThesis) << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "GenerateTargetDirection: " << onOff(this->GenerateTargetDirection) << "\n";
+  os << indent << "GenerateDisplacement: " << onOff(this->GenerateDisplacement) << "\n";
+  os << indent << "GenerateNormals: " << onOff(this->GenerateNormals) << "\n";
+  os << indent << "GenerateCellEnergy: " << onOff(this->GenerateCellEnergy) << "\n";
+  os << indent << "GenerateRotation: " << onOff(this->GenerateRotation) << "\n";
+  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
+  os << indent << "Converged: " << onOff(this->Converged) << "\n";
+  os << indent << "FinalEnergy: " << this->FinalEnergy << "\n";
+  os << indent << "EffectiveCenter: " << triple(this->EffectiveCenter) << "\n";
+  os << indent << "EffectiveRadius: " << this->EffectiveRadius << "\n";
+}

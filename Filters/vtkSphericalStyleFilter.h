@@ -1,0 +1,410 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSphericalStyleFilter
+ * @brief   round a surface the way toys and cartoon characters are round, details kept
+ *
+ * The output is the input with moved points: the shape leans toward a sphere as far as Roundness
+ * says, and every small piece of the surface stays as rigid as that allows.
+ *
+ * Input port 0: vtkPolyData. Triangles, quads, polygons and strips take part in the solve
+ * (triangulated inside, cells unchanged on output); lines, vertices and points of no face are
+ * carried along unmoved. Open borders, several components, non-manifold edges and coincident points
+ * are allowed.
+ *
+ * Input arrays to process, all optional, all of point data:
+ *  - 0: normals, 3 components, used where NormalBlend > 0 (default: the active normals; computed
+ *       when there are none);
+ *  - 1: roundness factor, 1 component, >= 0: the Roundness of a point is Roundness times it;
+ *  - 2: normal blend, 1 component, 0..1: replaces NormalBlend point by point;
+ *  - 3: target directions, 3 components, replace t (length 1 means radius r).
+ *
+ * Output port 0: vtkPolyData with the cells, point order and every array of the input, and the
+ * point arrays
+ *  - TargetDirection (3): t, no unit [symbols];
+ *  - Displacement (3): output minus input point, model length;
+ *  - Normals: recomputed if the input had point normals or GenerateNormals is on;
+ *  - CellEnergy (1), Rotation (9, row by row): on demand.
+ *
+ * Output port 1: vtkTable, one row for the start and one per iteration: Iteration, Total, Rigid,
+ * Spherical (energies, length^2), LocalChange, GlobalChange, Residual (Eq. 3.46), Gap (estimated,
+ * see Tolerance; NaN while unknown).
+ *
+ * Energy [energy], minimised over points p' and rotations R by local and global steps:
+ *
+ *     E = sum over triangles f, half-edges h = uv of f, corners y of f of
+ *         c_h |e'_uv - R_y e_uv|^2 + l_h |r R_y (t_u - t_v) - e'_uv|^2
+ *
+ * c_h half cotangents, l_h = Roundness / 2 (Uniform) or sqrt(3) Roundness c_h (Cotangent),
+ * t = (1 - NormalBlend) d + NormalBlend n, d the unit vector from the centre. With DetailSize > 0
+ * only the smooth base of the model goes to the sphere and its details just turn [detail].
+ *
+ * Source: Research of Spherical Style Deformation on Single Component Models (doctoral thesis),
+ * chapter 4, Eq. 4.6 - 4.38 and 3.46 - 3.48; half-edge weights after Chao, Pinkall, Sanan,
+ * Schroeder, A simple geometric model for elastic deformations, ACM TOG 29(4), 2010,
+ * doi:10.1145/1778765.1778775. The bracketed labels are those of
+ * Filters/Documentation/SphericalStyle.md.
+ *
+ * Cost: one sparse factorisation (about n log n in practice), then per iteration one 3 x 3 rotation
+ * per point and one triangular solve. The factorisation is kept between executions: changing
+ * Center, NormalBlend, Radius or arrays 0, 2, 3 does not factor again; changing Roundness
+ * refactors numerically with uniform weights and not at all with cotangent ones.
+ *
+ * @warning Large Roundness without DetailSize scales details down with everything else: at 5 a face
+ * is gone. Parts that share no edge each keep their centroid. With NormalBlend > 0 the surface may
+ * fold at concave places (thesis 4.5.3).
+ *
+ * @sa vtkPolyDataNormals vtkCurvatures vtkIntersectionPolyDataFilter
+ */
+#ifndef vtkSphericalStyleFilter_h
+#define vtkSphericalStyleFilter_h
+
+#include "SphericalStyleFiltersModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+
+class SPHERICALSTYLEFILTERS_EXPORT vtkSphericalStyleFilter : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSphericalStyleFilter* New();
+  vtkTypeMacro(vtkSphericalStyleFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum CenterModes
+  {
+    POINT_MEAN = 0,
+    AREA_CENTROID = 1,
+    CUSTOM_CENTER = 2
+  };
+  enum RadiusModes
+  {
+    EQUAL_AREA = 0,
+    EQUAL_VOLUME = 1,
+    CUSTOM_RADIUS = 2
+  };
+  enum SphericalWeightings
+  {
+    UNIFORM = 0,
+    COTANGENT = 1
+  };
+  enum ConcaveEdgeModes
+  {
+    KEEP = 0,
+    FLIP = 1,
+    ZERO = 2
+  };
+  enum EdgeWeightings
+  {
+    HALF_EDGE = 0,
+    FULL_EDGE = 1
+  };
+  enum StopRules
+  {
+    CONVERGED = 0,
+    THESIS = 1,
+    FIXED_ITERATIONS = 2
+  };
+  enum Anchors
+  {
+    CENTROID = 0,
+    LAST_POINT = 1
+  };
+  enum InitialGuesses
+  {
+    BLEND = 0,
+    REST = 1
+  };
+
+  ///@{
+  /**
+   * Weight lambda of the spherical term. 0 leaves the model as it is, larger is rounder, 5 is very
+   * large. No unit. Range 0 and up; a negative or non-finite value is an error. Default 0.5.
+   */
+  vtkSetMacro(Roundness, double);
+  vtkGetMacro(Roundness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Blend a between the direction from the centre (0, globally rounder, keeps shapes apart) and the
+   * normal of the surface (1, every part rounder in itself, may fold at concave places). No unit.
+   * Range 0..1. Default 0.
+   */
+  vtkSetClampMacro(NormalBlend, double, 0.0, 1.0);
+  vtkGetMacro(NormalBlend, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where the centre O of the target sphere lies: PointMean (default; mean of the points that take
+   * part, coincident ones once; thesis), AreaCentroid (the same for any sampling of the surface) or
+   * Custom (Center).
+   */
+  vtkSetClampMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
+  vtkGetMacro(CenterMode, int);
+  void SetCenterModeToPointMean() { this->SetCenterMode(POINT_MEAN); }
+  void SetCenterModeToAreaCentroid() { this->SetCenterMode(AREA_CENTROID); }
+  void SetCenterModeToCustom() { this->SetCenterMode(CUSTOM_CENTER); }
+  ///@}
+
+  ///@{
+  /**
+   * Centre O when CenterMode is Custom, in model coordinates. Surface near O becomes rounder;
+   * outside the model it makes the facing side concave. Default (0, 0, 0).
+   */
+  vtkSetVector3Macro(Center, double);
+  vtkGetVector3Macro(Center, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius r of the target sphere: EqualArea (default, sqrt(A / 4 pi); thesis), EqualVolume
+   * (cube root of 3 V / 4 pi, for closed surfaces) or Custom (Radius).
+   */
+  vtkSetClampMacro(RadiusMode, int, EQUAL_AREA, CUSTOM_RADIUS);
+  vtkGetMacro(RadiusMode, int);
+  void SetRadiusModeToEqualArea() { this->SetRadiusMode(EQUAL_AREA); }
+  void SetRadiusModeToEqualVolume() { this->SetRadiusMode(EQUAL_VOLUME); }
+  void SetRadiusModeToCustom() { this->SetRadiusMode(CUSTOM_RADIUS); }
+  ///@}
+
+  ///@{
+  /**
+   * Radius r when RadiusMode is Custom, model length. Larger grows the model. Above 0. Default 1.
+   */
+  vtkSetMacro(Radius, double);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Size of the details that keep their shape and only turn, as a fraction of the diagonal of the
+   * model's bounds [detail]. 0 (default) is the thesis: details flatten as Roundness grows. .03
+   * keeps a face on a ball. Larger values keep larger parts. Range 0..0.2.
+   */
+  vtkSetClampMacro(DetailSize, double, 0.0, 0.2);
+  vtkGetMacro(DetailSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight of an edge in the spherical term: Uniform (default; thesis) or Cotangent, which makes
+   * the result independent of the triangulation and needs no new factorisation when Roundness
+   * changes.
+   */
+  vtkSetClampMacro(SphericalWeighting, int, UNIFORM, COTANGENT);
+  vtkGetMacro(SphericalWeighting, int);
+  void SetSphericalWeightingToUniform() { this->SetSphericalWeighting(UNIFORM); }
+  void SetSphericalWeightingToCotangent() { this->SetSphericalWeighting(COTANGENT); }
+  ///@}
+
+  ///@{
+  /**
+   * What happens to edges whose target points against them on the rest shape (only where
+   * NormalBlend > 0 or targets are given): Keep (default), Flip (Eq. 4.39: convex gets more convex,
+   * concave more concave) or Zero (no target, the edge shrinks).
+   */
+  vtkSetClampMacro(ConcaveEdges, int, KEEP, ZERO);
+  vtkGetMacro(ConcaveEdges, int);
+  void SetConcaveEdgesToKeep() { this->SetConcaveEdges(KEEP); }
+  void SetConcaveEdgesToFlip() { this->SetConcaveEdges(FLIP); }
+  void SetConcaveEdgesToZero() { this->SetConcaveEdges(ZERO); }
+  ///@}
+
+  ///@{
+  /**
+   * HalfEdge (default): every triangle brings its own cotangents; the energy is never negative and
+   * never rises. FullEdge: Eq. 4.13 and 4.22 to the letter, kept for reproduction; on obtuse or
+   * open meshes its energy can rise and triangles turn over.
+   */
+  vtkSetClampMacro(EdgeWeighting, int, HALF_EDGE, FULL_EDGE);
+  vtkGetMacro(EdgeWeighting, int);
+  void SetEdgeWeightingToHalfEdge() { this->SetEdgeWeighting(HALF_EDGE); }
+  void SetEdgeWeightingToFullEdge() { this->SetEdgeWeighting(FULL_EDGE); }
+  ///@}
+
+  ///@{
+  /**
+   * When the iteration ends: Converged (default; estimated energy gap below Tolerance), Thesis
+   * (Eq. 3.46 with its tolerance of 0.001; stops with 10 to 40 % of the shape still missing) or
+   * FixedIterations (exactly MaximumNumberOfIterations).
+   */
+  vtkSetClampMacro(StopRule, int, CONVERGED, FIXED_ITERATIONS);
+  vtkGetMacro(StopRule, int);
+  void SetStopRuleToConverged() { this->SetStopRule(CONVERGED); }
+  void SetStopRuleToThesis() { this->SetStopRule(THESIS); }
+  void SetStopRuleToFixedIterations() { this->SetStopRule(FIXED_ITERATIONS); }
+  ///@}
+
+  ///@{
+  /**
+   * Converged: bound on the estimated energy gap (E - E*) / (E_0 - E*), E_0 the energy of the
+   * unmoved model, E* that of the minimum. Smaller is nearer and slower. No unit. Above 0, below 1.
+   * Default 1e-4.
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-14, 0.5);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Bound on local/global iterations, or their exact number with FixedIterations. Reaching it
+   * without convergence is a warning. 0 or more. Default 200.
+   */
+  vtkSetClampMacro(MaximumNumberOfIterations, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumberOfIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Anderson acceleration (window 5) with an energy guard: fewer iterations, the energy still never
+   * rises. Default on.
+   */
+  vtkSetMacro(Acceleration, bool);
+  vtkGetMacro(Acceleration, bool);
+  vtkBooleanMacro(Acceleration, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What stays in place, per connected component: Centroid (default) or LastPoint (thesis: the last
+   * point of the component).
+   */
+  vtkSetClampMacro(Anchor, int, CENTROID, LAST_POINT);
+  vtkGetMacro(Anchor, int);
+  void SetAnchorToCentroid() { this->SetAnchor(CENTROID); }
+  void SetAnchorToLastPoint() { this->SetAnchor(LAST_POINT); }
+  ///@}
+
+  ///@{
+  /**
+   * Solve coincident points as one, so that texture seams and split normals do not open. Points are
+   * never removed from the output. Default on.
+   */
+  vtkSetMacro(WeldCoincidentPoints, bool);
+  vtkGetMacro(WeldCoincidentPoints, bool);
+  vtkBooleanMacro(WeldCoincidentPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where the iteration starts: Blend (default; every rotation the identity, one global step, not
+   * counted) or Rest (thesis; the unmoved points).
+   */
+  vtkSetClampMacro(InitialGuess, int, BLEND, REST);
+  vtkGetMacro(InitialGuess, int);
+  void SetInitialGuessToBlend() { this->SetInitialGuess(BLEND); }
+  void SetInitialGuessToRest() { this->SetInitialGuess(REST); }
+  ///@}
+
+  ///@{
+  /**
+   * Run the method of the thesis to the letter. On overrides FullEdge, Uniform, Thesis stop, Rest,
+   * LastPoint, no acceleration, PointMean and DetailSize 0. Default off.
+   */
+  vtkSetMacro(ReproduceThesis, bool);
+  vtkGetMacro(ReproduceThesis, bool);
+  vtkBooleanMacro(ReproduceThesis, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Number type of the output points: vtkAlgorithm::DEFAULT_PRECISION (default: as the input),
+   * SINGLE_PRECISION or DOUBLE_PRECISION. The solve is always double.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * Threads of the solve; 0 (default) takes VTK_SMP_MAX_THREADS or else all cores. The result has
+   * the same bits for any number.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Switches of the output arrays. TargetDirection and Displacement are on, the others off by
+   * default. GenerateNormals adds normals where the input had none.
+   */
+  vtkSetMacro(GenerateTargetDirection, bool);
+  vtkGetMacro(GenerateTargetDirection, bool);
+  vtkBooleanMacro(GenerateTargetDirection, bool);
+  vtkSetMacro(GenerateDisplacement, bool);
+  vtkGetMacro(GenerateDisplacement, bool);
+  vtkBooleanMacro(GenerateDisplacement, bool);
+  vtkSetMacro(GenerateNormals, bool);
+  vtkGetMacro(GenerateNormals, bool);
+  vtkBooleanMacro(GenerateNormals, bool);
+  vtkSetMacro(GenerateCellEnergy, bool);
+  vtkGetMacro(GenerateCellEnergy, bool);
+  vtkBooleanMacro(GenerateCellEnergy, bool);
+  vtkSetMacro(GenerateRotation, bool);
+  vtkGetMacro(GenerateRotation, bool);
+  vtkBooleanMacro(GenerateRotation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Facts of the last execution: iterations done, whether the stop rule was met, the energy
+   * (length^2), the centre and radius that were used (model coordinates and length).
+   */
+  vtkGetMacro(NumberOfIterations, int);
+  vtkGetMacro(Converged, bool);
+  vtkGetMacro(FinalEnergy, double);
+  vtkGetVector3Macro(EffectiveCenter, double);
+  vtkGetMacro(EffectiveRadius, double);
+  ///@}
+
+protected:
+  vtkSphericalStyleFilter();
+  ~vtkSphericalStyleFilter() override;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkSphericalStyleFilter(const vtkSphericalStyleFilter&) = delete;
+  void operator=(const vtkSphericalStyleFilter&) = delete;
+
+  double Roundness = 0.5;
+  double NormalBlend = 0.0;
+  int CenterMode = POINT_MEAN;
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  int RadiusMode = EQUAL_AREA;
+  double Radius = 1.0;
+  double DetailSize = 0.0;
+  int SphericalWeighting = UNIFORM;
+  int ConcaveEdges = KEEP;
+  int EdgeWeighting = HALF_EDGE;
+  int StopRule = CONVERGED;
+  double Tolerance = 1e-4;
+  int MaximumNumberOfIterations = 200;
+  bool Acceleration = true;
+  int Anchor = CENTROID;
+  bool WeldCoincidentPoints = true;
+  int InitialGuess = BLEND;
+  bool ReproduceThesis = false;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+  int NumberOfThreads = 0;
+  bool GenerateTargetDirection = true;
+  bool GenerateDisplacement = true;
+  bool GenerateNormals = false;
+  bool GenerateCellEnergy = false;
+  bool GenerateRotation = false;
+
+  int NumberOfIterations = 0;
+  bool Converged = false;
+  double FinalEnergy = 0.0;
+  double EffectiveCenter[3] = { 0.0, 0.0, 0.0 };
+  double EffectiveRadius = 0.0;
+
+  struct Internals; // the solver, kept between executions
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

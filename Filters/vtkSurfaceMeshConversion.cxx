@@ -1,0 +1,354 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSurfaceMeshConversion.h"
+
+#include "SurfaceMeasures.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+#include "vtkSmartPointer.h"
+#include "vtkStaticPointLocator.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace
+{
+using SphericalStyle::Points;
+
+// A triangle whose double area is below this times its longest edge squared has no usable angles.
+constexpr double SmallestAngle = 1e-10;
+
+[[noreturn]] void Refuse(const std::ostringstream& message)
+{
+  throw std::invalid_argument(message.str());
+}
+
+/// Calls triangle(cell, a, b, c) for every triangle of the faces of a vtkPolyData.
+class FaceTriangles
+{
+public:
+  explicit FaceTriangles(vtkPolyData* input)
+    : Input(input)
+  {
+  }
+
+  template <typename Visitor>
+  void Visit(Visitor&& triangle)
+  {
+    vtkIdType cell = this->Input->GetNumberOfVerts() + this->Input->GetNumberOfLines();
+    auto polys = vtk::TakeSmartPointer(this->Input->GetPolys()->NewIterator());
+    for (polys->GoToFirstCell(); !polys->IsDoneWithTraversal(); polys->GoToNextCell(), ++cell)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      polys->GetCurrentCell(size, ids);
+      if (size == 3)
+      {
+        triangle(cell, ids[0], ids[1], ids[2]);
+      }
+      else if (size > 3)
+      {
+        this->Cut(cell, size, ids);
+        for (vtkIdType i = 0; i + 2 < this->Cuts->GetNumberOfIds(); i += 3)
+        {
+          triangle(cell, ids[this->Cuts->GetId(i)], ids[this->Cuts->GetId(i + 1)],
+            ids[this->Cuts->GetId(i + 2)]);
+        }
+      }
+    }
+    auto strips = vtk::TakeSmartPointer(this->Input->GetStrips()->NewIterator());
+    for (strips->GoToFirstCell(); !strips->IsDoneWithTraversal(); strips->GoToNextCell(), ++cell)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      strips->GetCurrentCell(size, ids);
+      for (vtkIdType i = 0; i + 2 < size; ++i)
+      {
+        triangle(cell, ids[i], ids[i + 1 + i % 2], ids[i + 2 - i % 2]); // every other one turns
+      }
+    }
+  }
+
+  vtkIdType Fanned = 0;
+  vtkIdType FirstFanned = -1;
+
+private:
+  /// Cuts a polygon into triangles (positions in the polygon, three by three).
+  void Cut(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
+  {
+    this->Polygon->PointIds->SetNumberOfIds(size);
+    this->Polygon->Points->SetDataTypeToDouble();
+    this->Polygon->Points->SetNumberOfPoints(size);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->Polygon->PointIds->SetId(i, i);
+      this->Polygon->Points->SetPoint(i, this->Input->GetPoints()->GetPoint(ids[i]));
+    }
+    this->Cuts->Reset();
+    if (this->Polygon->Triangulate(this->Cuts) && this->Cuts->GetNumberOfIds() == 3 * (size - 2))
+    {
+      return;
+    }
+    this->FirstFanned = this->Fanned++ == 0 ? cell : this->FirstFanned;
+    this->Cuts->Reset();
+    for (vtkIdType i = 1; i + 1 < size; ++i)
+    {
+      this->Cuts->InsertNextId(0);
+      this->Cuts->InsertNextId(i);
+      this->Cuts->InsertNextId(i + 1);
+    }
+  }
+
+  vtkPolyData* Input;
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Cuts;
+};
+
+Points InputPoints(vtkPolyData* input)
+{
+  const auto tuples = vtk::DataArrayTupleRange<3>(input->GetPoints()->GetData());
+  Points x(tuples.size(), 3);
+  Eigen::Index i = 0;
+  for (const auto tuple : tuples)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      x(i, k) = static_cast<double>(tuple[k]);
+    }
+    if (!x.row(i).allFinite())
+    {
+      std::ostringstream message;
+      message << "Points: point " << i << " is not finite: (" << x.row(i) << ")";
+      Refuse(message);
+    }
+    ++i;
+  }
+  return x;
+}
+
+/// The first point at the place of each point.
+std::vector<vtkIdType> FirstCoincident(vtkPolyData* input, bool weld)
+{
+  std::vector<vtkIdType> first(input->GetNumberOfPoints());
+  std::iota(first.begin(), first.end(), 0);
+  double bounds[6];
+  input->GetPoints()->GetBounds(bounds);
+  const bool onePlace = bounds[0] == bounds[1] && bounds[2] == bounds[3] && bounds[4] == bounds[5];
+  if (weld && onePlace)
+  {
+    std::fill(first.begin(), first.end(), 0);
+  }
+  else if (weld)
+  {
+    vtkNew<vtkPolyData> cloud; // points alone: the locator builds no cells
+    cloud->SetPoints(input->GetPoints());
+    vtkNew<vtkStaticPointLocator> locator;
+    locator->SetDataSet(cloud);
+    locator->BuildLocator();
+    locator->MergePoints(0.0, first.data());
+  }
+  return first;
+}
+
+bool IsDegenerate(const Points& x, const std::array<vtkIdType, 3>& t)
+{
+  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+  {
+    return true;
+  }
+  const Eigen::Vector3d a = x.row(t[1]) - x.row(t[0]);
+  const Eigen::Vector3d b = x.row(t[2]) - x.row(t[0]);
+  const double longest = std::max({ a.stableNorm(), b.stableNorm(), (b - a).stableNorm() });
+  return !(longest > 0.0) || !((a / longest).cross(b / longest).norm() > SmallestAngle);
+}
+}
+
+vtkIdType vtkSurfaceMesh::FirstInputPoint(int i) const
+{
+  return std::find(this->MeshPoint.begin(), this->MeshPoint.end(), i) - this->MeshPoint.begin();
+}
+
+namespace vtkSurfaceMeshConversion
+{
+vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld)
+{
+  const Points x = InputPoints(input);
+  const std::vector<vtkIdType> first = FirstCoincident(input, weld);
+
+  vtkSurfaceMesh surface;
+  using Corners = std::array<vtkIdType, 3>;
+  std::vector<Corners> triangles; // by input points
+  triangles.reserve(input->GetNumberOfPolys());
+  FaceTriangles faces(input);
+  faces.Visit(
+    [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
+    {
+      if (!IsDegenerate(x, { first[a], first[b], first[c] }))
+      {
+        triangles.push_back({ a, b, c });
+      }
+      else if (surface.DegenerateTriangles++ == 0)
+      {
+        surface.FirstDegenerateCell = cell;
+      }
+    });
+  surface.FannedPolygons = faces.Fanned;
+  surface.FirstFannedPolygon = faces.FirstFanned;
+
+  // Number the used places in the order of the input, so that "last point" means the input's.
+  constexpr std::size_t Most = std::numeric_limits<int>::max() / 9;
+  if (triangles.size() > Most || first.size() > Most)
+  {
+    std::ostringstream message;
+    message << "Input: " << triangles.size() << " triangles are more than the " << Most
+            << " that can be solved at once";
+    Refuse(message);
+  }
+  std::vector<int> number(first.size(), vtkSurfaceMesh::NotMoved);
+  for (const Corners& t : triangles)
+  {
+    for (const vtkIdType i : t)
+    {
+      number[first[i]] = 0;
+    }
+  }
+  int count = 0;
+  for (int& id : number)
+  {
+    id = id == 0 ? count++ : id;
+  }
+  surface.Mesh.P.resize(count, 3);
+  surface.Mesh.F.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+  surface.Corners.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+  surface.MeshPoint.resize(first.size());
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    surface.MeshPoint[i] = number[first[i]];
+    if (number[i] >= 0)
+    {
+      surface.Mesh.P.row(number[i]) = x.row(static_cast<Eigen::Index>(i));
+    }
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      surface.Corners(static_cast<Eigen::Index>(t), k) = triangles[t][k];
+      surface.Mesh.F(static_cast<Eigen::Index>(t), k) = number[first[triangles[t][k]]];
+    }
+  }
+  return surface;
+}
+
+Points GatherPointArray(vtkDataArray* array, vtkIdType numberOfPoints,
+  const vtkSurfaceMesh& surface, const ArrayRule& rule)
+{
+  std::ostringstream message;
+  message << rule.Purpose << ": array \"" << (array->GetName() ? array->GetName() : "") << "\" ";
+  if (array->GetNumberOfComponents() != rule.Components)
+  {
+    message << "has " << array->GetNumberOfComponents() << " components, not " << rule.Components;
+    Refuse(message);
+  }
+  if (array->GetNumberOfTuples() != numberOfPoints)
+  {
+    message << "has " << array->GetNumberOfTuples() << " tuples for " << numberOfPoints
+            << " points: a point array is needed";
+    Refuse(message);
+  }
+  Points sum = Points::Zero(surface.Mesh.P.rows(), 3);
+  Eigen::VectorXd count = Eigen::VectorXd::Zero(surface.Mesh.P.rows());
+  double value[3] = { 0.0, 0.0, 0.0 };
+  for (vtkIdType i = 0; i < numberOfPoints; ++i)
+  {
+    const int to = surface.MeshPoint[i];
+    if (to < 0)
+    {
+      continue;
+    }
+    array->GetTuple(i, value);
+    for (int k = 0; k < rule.Components; ++k)
+    {
+      if (!std::isfinite(value[k]) || value[k] < rule.Minimum || value[k] > rule.Maximum)
+      {
+        message << "is " << value[k] << " at point " << i << "; ";
+        if (std::isfinite(rule.Maximum))
+        {
+          message << "it must lie in " << rule.Minimum << ".." << rule.Maximum;
+        }
+        else if (std::isfinite(rule.Minimum))
+        {
+          message << "it must be finite and " << rule.Minimum << " or more";
+        }
+        else
+        {
+          message << "it must be finite";
+        }
+        Refuse(message);
+      }
+      sum(to, k) += value[k];
+    }
+    count(to) += 1.0;
+  }
+  return sum.array().colwise() / count.array();
+}
+
+Points MovedNormals(const Points& Q, const vtkSurfaceMesh& surface, vtkDataArray* before)
+{
+  // One group per mesh point and distinct normal there.
+  using Key = std::pair<int, std::array<double, 3>>;
+  std::map<Key, int> groups;
+  const std::size_t n = surface.MeshPoint.size();
+  std::vector<int> group(n, -1);
+  Points moved(static_cast<Eigen::Index>(n), 3);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (surface.MeshPoint[i] >= 0)
+    {
+      Key key = { surface.MeshPoint[i], { 0.0, 0.0, 0.0 } };
+      if (before)
+      {
+        before->GetTuple(static_cast<vtkIdType>(i), key.second.data());
+      }
+      group[i] = groups.emplace(key, static_cast<int>(groups.size())).first->second;
+      moved.row(group[i]) = Q.row(surface.MeshPoint[i]);
+    }
+  }
+  moved.conservativeResize(static_cast<Eigen::Index>(groups.size()), 3);
+  const SphericalStyle::Triangles F =
+    surface.Corners.unaryExpr([&](vtkIdType i) { return group[i]; });
+  const Points normals = SphericalStyle::PointNormals(moved, F);
+
+  Points result = Points::Zero(static_cast<Eigen::Index>(n), 3);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (group[i] >= 0)
+    {
+      result.row(row) = normals.row(group[i]);
+    }
+    else if (before)
+    {
+      before->GetTuple(row, result.row(row).data());
+    }
+  }
+  return result;
+}
+}

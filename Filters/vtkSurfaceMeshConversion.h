@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// vtkPolyData to triangle mesh and back, and the only place where input is validated. Private.
+#ifndef vtkSurfaceMeshConversion_h
+#define vtkSurfaceMeshConversion_h
+
+#include "StyleSolver.h" // for the types of the solver
+#include "vtkType.h"     // for vtkIdType
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkPolyData;
+
+/// The part of a vtkPolyData that takes part in a solve.
+struct vtkSurfaceMesh
+{
+  /// Triangles of polygons and strips; only points that a triangle uses.
+  SphericalStyle::TriangleMesh Mesh;
+  /// The same triangles by input points, m x 3.
+  Eigen::Matrix<vtkIdType, Eigen::Dynamic, 3, Eigen::RowMajor> Corners;
+  /// Mesh point of each input point; NotMoved for points of no triangle.
+  std::vector<int> MeshPoint;
+  static constexpr int NotMoved = -1;
+
+  /// What was left out or repaired, with the first cell id.
+  vtkIdType DegenerateTriangles = 0;
+  vtkIdType FirstDegenerateCell = -1;
+  vtkIdType FannedPolygons = 0;
+  vtkIdType FirstFannedPolygon = -1;
+
+  /// First input point of mesh point i.
+  vtkIdType FirstInputPoint(int i) const;
+};
+
+namespace vtkSurfaceMeshConversion
+{
+/// @param weld  coincident input points become one mesh point
+/// Triangles with an angle below 1e-10 (area against the longest edge), or that use a mesh point
+/// twice, are skipped and counted; polygons that cannot be triangulated become fans and are
+/// counted.
+/// @throw std::invalid_argument naming the first point that is not finite, or too many points
+vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld);
+
+/// What a point array must be like.
+struct ArrayRule
+{
+  const char* Purpose; ///< property the array belongs to, for messages
+  int Components;
+  double Minimum;
+  double Maximum;
+};
+
+/// The array as one row per mesh point, the mean over coincident input points.
+/// @throw std::invalid_argument naming purpose, array and the first offending point
+SphericalStyle::Points GatherPointArray(vtkDataArray* array, vtkIdType numberOfPoints,
+  const vtkSurfaceMesh& surface, const ArrayRule& rule);
+
+/// Point normals of a moved surface, one row per input point. Coincident points that had equal
+/// normals in `before` (or all coincident points, without it) share one normal, so that seams stay
+/// smooth and creases stay sharp. Points of no triangle get `before`, or zero.
+SphericalStyle::Points MovedNormals(
+  const SphericalStyle::Points& Q, const vtkSurfaceMesh& surface, vtkDataArray* before);
+}
+
+#endif
