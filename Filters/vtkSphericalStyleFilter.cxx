@@ -4,11 +4,9 @@
 
 #include "vtkSurfaceMeshConversion.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkIdList.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -16,8 +14,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkVersion.h"
 
@@ -64,110 +62,13 @@ int ThreadsToUse(int wanted)
                              : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
-/// An array of the number type of the output points.
-vtkSmartPointer<vtkDataArray> NewPointArray(const char* name, int type, int components, vtkIdType n)
-{
-  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(n);
-  return array;
-}
-
-/// One value per mesh point, spread to the input points; zero where nothing moves.
-template <typename RowOf>
-void SpreadToPoints(vtkPolyData* output, const vtkSurfaceMesh& surface, const char* name, int type,
-  int components, RowOf&& rowOf)
-{
-  const vtkIdType n = output->GetNumberOfPoints();
-  auto array = NewPointArray(name, type, components, n);
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(components);
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    const int from = surface.MeshPoint[i];
-    const Eigen::VectorXd row = from >= 0 ? Eigen::VectorXd(rowOf(from)) : zero;
-    array->SetTuple(i, row.data());
-  }
-  output->GetPointData()->AddArray(array);
-}
-
-int PointsType(vtkPolyData* input, int precision)
-{
-  if (precision == vtkAlgorithm::DEFAULT_PRECISION)
-  {
-    return input->GetPoints()->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE;
-  }
-  return precision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE;
-}
-
-/// Moved points get their new place, all others keep their bits.
-void ReplacePoints(
-  vtkPolyData* input, vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q, int type)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataType(type);
-  points->SetNumberOfPoints(input->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
-  {
-    const int from = surface.MeshPoint[i];
-    points->SetPoint(i, from >= 0 ? Q.row(from).data() : input->GetPoint(i));
-  }
-  output->SetPoints(points);
-}
-
-/// Normals of the faces after the points have moved; vertices and lines keep theirs.
-void RecomputeCellNormals(vtkPolyData* output)
-{
-  vtkDataArray* before = output->GetCellData()->GetNormals();
-  if (!before)
-  {
-    return;
-  }
-  auto normals = vtk::TakeSmartPointer(before->NewInstance());
-  normals->DeepCopy(before);
-  vtkNew<vtkIdList> ids;
-  double normal[3];
-  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
-  {
-    output->GetCellPoints(cell, ids);
-    const int type = output->GetCellType(cell);
-    const bool strip = type == VTK_TRIANGLE_STRIP;
-    if (strip || type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON)
-    {
-      vtkPolygon::ComputeNormal(output->GetPoints(),
-        static_cast<int>(strip ? 3 : ids->GetNumberOfIds()), ids->GetPointer(0), normal);
-      normals->SetTuple(cell, normal);
-    }
-  }
-  output->GetCellData()->SetNormals(normals);
-}
-
-void RecomputePointNormals(
-  vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q, bool generate)
-{
-  vtkDataArray* before = output->GetPointData()->GetNormals();
-  if (!before && !generate)
-  {
-    return;
-  }
-  const Points n = vtkSurfaceMeshConversion::MovedNormals(Q, surface, before);
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName(before && before->GetName() ? before->GetName() : "Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(n.rows());
-  for (Eigen::Index i = 0; i < n.rows(); ++i)
-  {
-    normals->SetTuple(i, n.row(i).data());
-  }
-  output->GetPointData()->SetNormals(normals);
-}
-
-void FillHistory(vtkTable* table, const SphericalStyle::LoopReport& report)
+/// The history as rows; how long each stage took and what solved the system as field data.
+void FillHistory(vtkTable* table, const SphericalStyle::StyleReport& report)
 {
   using Row = SphericalStyle::HistoryRow;
   vtkNew<vtkIntArray> iteration;
   iteration->SetName("Iteration");
-  for (const Row& row : report.history)
+  for (const Row& row : report.loop.history)
   {
     iteration->InsertNextValue(row.iteration);
   }
@@ -176,7 +77,7 @@ void FillHistory(vtkTable* table, const SphericalStyle::LoopReport& report)
   {
     vtkNew<vtkDoubleArray> column;
     column->SetName(name);
-    for (const Row& row : report.history)
+    for (const Row& row : report.loop.history)
     {
       column->InsertNextValue(value(row));
     }
@@ -189,6 +90,23 @@ void FillHistory(vtkTable* table, const SphericalStyle::LoopReport& report)
   add("GlobalChange", [](const Row& r) { return r.globalChange; });
   add("Residual", [](const Row& r) { return r.residual; });
   add("Gap", [](const Row& r) { return r.gap; });
+
+  const SphericalStyle::StageSeconds& s = report.seconds;
+  vtkNew<vtkDoubleArray> seconds;
+  seconds->SetName("StageSeconds");
+  seconds->SetNumberOfComponents(5);
+  const char* stages[] = { "Base", "Weights", "Analyze", "Factor", "Iterate" };
+  for (int k = 0; k < 5; ++k)
+  {
+    seconds->SetComponentName(k, stages[k]);
+  }
+  const double values[] = { s.base, s.weights, s.analyze, s.factor, s.iterate };
+  seconds->InsertNextTuple(values);
+  table->GetFieldData()->AddArray(seconds);
+  vtkNew<vtkStringArray> solver;
+  solver->SetName("LinearSolver");
+  solver->InsertNextValue(report.linearSolver);
+  table->GetFieldData()->AddArray(solver);
 }
 }
 
@@ -207,6 +125,7 @@ struct vtkSphericalStyleFilter::Internals
   static bool Aborted(vtkSphericalStyleFilter* self);
   void Warn(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
     const SphericalStyle::StyleReport& report) const;
+  void SetFacts(vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const;
   void AttachArrays(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
     vtkPolyData* input, vtkPolyData* output) const;
 };
@@ -322,6 +241,11 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
   const vtkSurfaceMesh& surface, const SphericalStyle::StyleReport& report) const
 {
   const auto warn = [self](const std::string& text) { vtkWarningWithObjectMacro(self, << text); };
+  const bool solved = surface.Mesh.F.rows() > 0;
+  if (!solved)
+  {
+    warn("the input has no triangle with an area: nothing moves");
+  }
   if (surface.FannedPolygons > 0)
   {
     warn(std::to_string(surface.FannedPolygons) +
@@ -341,25 +265,41 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
       std::to_string(surface.FirstInputPoint(report.pointsOnCenter.front())) +
       "; they take the mean of their neighbours'");
   }
-  if (!report.loop.converged && !report.loop.aborted)
+  if (solved && !report.loop.converged && !report.loop.aborted)
   {
     warn("not converged after " + std::to_string(report.loop.iterations) +
       " iterations; raise MaximumNumberOfIterations or Tolerance");
   }
 }
 
+void vtkSphericalStyleFilter::Internals::SetFacts(
+  vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const
+{
+  const SphericalStyle::LoopReport& loop = report.loop;
+  self->NumberOfIterations = loop.iterations;
+  self->Converged = loop.converged;
+  self->FinalEnergy = loop.history.empty() ? 0.0 : loop.history.back().energy.Total();
+  std::copy_n(report.sphere.center.data(), 3, self->EffectiveCenter);
+  self->EffectiveRadius = report.sphere.radius;
+}
+
 void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* self,
   const vtkSurfaceMesh& surface, vtkPolyData* input, vtkPolyData* output) const
 {
+  using vtkSurfaceMeshConversion::AddPointArray;
   const int type = output->GetPoints()->GetDataType();
+  const bool solved = surface.Mesh.F.rows() > 0;
   if (self->GenerateTargetDirection)
   {
-    SpreadToPoints(output, surface, "TargetDirection", type, 3,
-      [this](int i) { return this->Solver.GetDirections().row(i).transpose(); });
+    AddPointArray(output, surface, "TargetDirection", type,
+      solved ? this->Solver.GetDirections() : Points(0, 3));
   }
   if (self->GenerateDisplacement)
   {
-    auto displacement = NewPointArray("Displacement", type, 3, output->GetNumberOfPoints());
+    auto displacement = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+    displacement->SetName("Displacement");
+    displacement->SetNumberOfComponents(3);
+    displacement->SetNumberOfTuples(output->GetNumberOfPoints());
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
     {
       const Eigen::Vector3d before(input->GetPoint(i));
@@ -370,18 +310,17 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
   }
   if (self->GenerateCellEnergy)
   {
-    const Eigen::VectorXd energy = this->Solver.GetCellEnergies();
-    SpreadToPoints(
-      output, surface, "CellEnergy", VTK_DOUBLE, 1, [&](int i) { return energy.segment<1>(i); });
+    AddPointArray(output, surface, "CellEnergy", VTK_DOUBLE,
+      solved ? this->Solver.GetCellEnergies() : Eigen::VectorXd());
   }
   if (self->GenerateRotation)
   {
-    SpreadToPoints(output, surface, "Rotation", type, 9,
-      [this](int i)
-      {
-        const Eigen::Matrix3d rows = this->Solver.GetRotations()[i].transpose();
-        return Eigen::VectorXd(rows.reshaped());
-      });
+    vtkSurfaceMeshConversion::Rows rows(surface.Mesh.P.rows(), 9);
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    {
+      rows.row(i) = this->Solver.GetRotations()[i].transpose().reshaped().transpose();
+    }
+    AddPointArray(output, surface, "Rotation", type, rows);
   }
 }
 
@@ -416,23 +355,24 @@ int vtkSphericalStyleFilter::RequestData(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
+  SphericalStyle::StyleReport report;
+  this->Internal->SetFacts(this, report);
   if (!input || input->GetNumberOfPoints() == 0)
   {
     return 1;
   }
 
   vtkSurfaceMesh surface;
-  SphericalStyle::StyleReport report;
   Points Q;
   try
   {
     Internals::CheckProperties(this);
     surface = vtkSurfaceMeshConversion::FromPolyData(input, this->WeldCoincidentPoints);
     const SphericalStyle::StyleOptions options = Internals::MakeOptions(this, surface, inputVector);
-    this->SetProgressText("Rounding");
-    this->UpdateProgress(0.1);
     if (surface.Mesh.F.rows() > 0)
     {
+      this->SetProgressText("Rounding");
+      this->UpdateProgress(0.1);
       this->Internal->Solver.SetMesh(surface.Mesh);
       report = this->Internal->Solver.Solve(options,
         [this](int iteration, double)
@@ -450,25 +390,12 @@ int vtkSphericalStyleFilter::RequestData(
   }
 
   output->ShallowCopy(input);
-  if (surface.Mesh.F.rows() == 0)
-  {
-    vtkWarningMacro("the input has no triangle with an area: nothing moves");
-  }
-  else
-  {
-    this->Internal->Warn(this, surface, report);
-  }
-  ReplacePoints(input, output, surface, Q, PointsType(input, this->OutputPointsPrecision));
-  RecomputePointNormals(output, surface, Q, this->GenerateNormals);
-  RecomputeCellNormals(output);
+  vtkSurfaceMeshConversion::ReplacePoints(
+    output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);
   this->Internal->AttachArrays(this, surface, input, output);
-  FillHistory(history, report.loop);
-
-  this->NumberOfIterations = report.loop.iterations;
-  this->Converged = report.loop.converged;
-  this->FinalEnergy = report.loop.history.empty() ? 0.0 : report.loop.history.back().energy.Total();
-  std::copy_n(report.sphere.center.data(), 3, this->EffectiveCenter);
-  this->EffectiveRadius = report.sphere.radius;
+  FillHistory(history, report);
+  this->Internal->Warn(this, surface, report);
+  this->Internal->SetFacts(this, report);
   return 1;
 }
 

@@ -4,12 +4,16 @@
 
 #include "SurfaceMeasures.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
@@ -22,7 +26,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -178,6 +181,103 @@ bool IsDegenerate(const Points& x, const std::array<vtkIdType, 3>& t)
   const double longest = std::max({ a.stableNorm(), b.stableNorm(), (b - a).stableNorm() });
   return !(longest > 0.0) || !((a / longest).cross(b / longest).norm() > SmallestAngle);
 }
+/// Puts input points into groups that share one normal: those at one mesh point whose normals were
+/// equal (or all of them, without `before`), so that seams stay smooth and creases stay sharp.
+/// @param place  mesh point of each group @return group of each input point, -1 where nothing moves
+std::vector<int> NormalGroups(
+  const vtkSurfaceMesh& surface, vtkDataArray* before, std::vector<int>& place)
+{
+  std::vector<int> group(surface.MeshPoint.size(), -1);
+  std::vector<int> firstGroup(surface.Mesh.P.rows(), -1); // of a mesh point
+  std::vector<int> nextGroup;                             // at the same mesh point
+  std::vector<Eigen::Vector3d> normal;                    // of a group
+  for (std::size_t i = 0; i < group.size(); ++i)
+  {
+    const int at = surface.MeshPoint[i];
+    if (at < 0)
+    {
+      continue;
+    }
+    Eigen::Vector3d n = Eigen::Vector3d::Zero();
+    if (before)
+    {
+      before->GetTuple(static_cast<vtkIdType>(i), n.data());
+    }
+    int g = firstGroup[at];
+    while (g >= 0 && normal[g] != n)
+    {
+      g = nextGroup[g];
+    }
+    if (g < 0)
+    {
+      g = static_cast<int>(place.size());
+      place.push_back(at);
+      normal.push_back(n);
+      nextGroup.push_back(firstGroup[at]);
+      firstGroup[at] = g;
+    }
+    group[i] = g;
+  }
+  return group;
+}
+
+/// Normals of the moved surface; points of no triangle keep theirs.
+void ReplacePointNormals(
+  vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q, bool generate)
+{
+  vtkDataArray* before = output->GetPointData()->GetNormals();
+  if (!before && !generate)
+  {
+    return;
+  }
+  std::vector<int> place;
+  const std::vector<int> group = NormalGroups(surface, before, place);
+  const SphericalStyle::Triangles F =
+    surface.Corners.unaryExpr([&group](vtkIdType i) { return group[i]; });
+  const Points n = SphericalStyle::PointNormals(Q(place, Eigen::all), F);
+
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName(before && before->GetName() ? before->GetName() : "Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(static_cast<vtkIdType>(group.size()));
+  for (std::size_t i = 0; i < group.size(); ++i)
+  {
+    double normal[3] = { 0.0, 0.0, 0.0 };
+    if (before && group[i] < 0)
+    {
+      before->GetTuple(static_cast<vtkIdType>(i), normal);
+    }
+    normals->SetTuple(static_cast<vtkIdType>(i), group[i] >= 0 ? n.row(group[i]).data() : normal);
+  }
+  output->GetPointData()->SetNormals(normals);
+}
+
+/// Normals of the faces after the points have moved; vertices and lines keep theirs.
+void ReplaceCellNormals(vtkPolyData* output)
+{
+  vtkDataArray* before = output->GetCellData()->GetNormals();
+  if (!before)
+  {
+    return;
+  }
+  auto normals = vtk::TakeSmartPointer(before->NewInstance());
+  normals->DeepCopy(before);
+  vtkNew<vtkIdList> ids;
+  double normal[3];
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    output->GetCellPoints(cell, ids);
+    const int type = output->GetCellType(cell);
+    const bool strip = type == VTK_TRIANGLE_STRIP;
+    if (strip || type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON)
+    {
+      vtkPolygon::ComputeNormal(output->GetPoints(),
+        static_cast<int>(strip ? 3 : ids->GetNumberOfIds()), ids->GetPointer(0), normal);
+      normals->SetTuple(cell, normal);
+    }
+  }
+  output->GetCellData()->SetNormals(normals);
+}
 }
 
 vtkIdType vtkSurfaceMesh::FirstInputPoint(int i) const
@@ -310,45 +410,41 @@ Points GatherPointArray(vtkDataArray* array, vtkIdType numberOfPoints,
   return sum.array().colwise() / count.array();
 }
 
-Points MovedNormals(const Points& Q, const vtkSurfaceMesh& surface, vtkDataArray* before)
+void AddPointArray(
+  vtkPolyData* output, const vtkSurfaceMesh& surface, const char* name, int type, const Rows& rows)
 {
-  // One group per mesh point and distinct normal there.
-  using Key = std::pair<int, std::array<double, 3>>;
-  std::map<Key, int> groups;
-  const std::size_t n = surface.MeshPoint.size();
-  std::vector<int> group(n, -1);
-  Points moved(static_cast<Eigen::Index>(n), 3);
-  for (std::size_t i = 0; i < n; ++i)
+  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(rows.cols()));
+  array->SetNumberOfTuples(output->GetNumberOfPoints());
+  const Rows zero = Rows::Zero(1, rows.cols());
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
-    if (surface.MeshPoint[i] >= 0)
-    {
-      Key key = { surface.MeshPoint[i], { 0.0, 0.0, 0.0 } };
-      if (before)
-      {
-        before->GetTuple(static_cast<vtkIdType>(i), key.second.data());
-      }
-      group[i] = groups.emplace(key, static_cast<int>(groups.size())).first->second;
-      moved.row(group[i]) = Q.row(surface.MeshPoint[i]);
-    }
+    const int from = surface.MeshPoint[i];
+    array->SetTuple(i, from >= 0 ? rows.row(from).data() : zero.data());
   }
-  moved.conservativeResize(static_cast<Eigen::Index>(groups.size()), 3);
-  const SphericalStyle::Triangles F =
-    surface.Corners.unaryExpr([&](vtkIdType i) { return group[i]; });
-  const Points normals = SphericalStyle::PointNormals(moved, F);
+  output->GetPointData()->AddArray(array);
+}
 
-  Points result = Points::Zero(static_cast<Eigen::Index>(n), 3);
-  for (std::size_t i = 0; i < n; ++i)
+void ReplacePoints(vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q,
+  int precision, bool generateNormals)
+{
+  vtkPoints* before = output->GetPoints();
+  int type = precision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE;
+  if (precision == vtkAlgorithm::DEFAULT_PRECISION)
   {
-    const auto row = static_cast<Eigen::Index>(i);
-    if (group[i] >= 0)
-    {
-      result.row(row) = normals.row(group[i]);
-    }
-    else if (before)
-    {
-      before->GetTuple(row, result.row(row).data());
-    }
+    type = before->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE;
   }
-  return result;
+  vtkNew<vtkPoints> points;
+  points->SetDataType(type);
+  points->SetNumberOfPoints(before->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < before->GetNumberOfPoints(); ++i)
+  {
+    const int from = surface.MeshPoint[i];
+    points->SetPoint(i, from >= 0 ? Q.row(from).data() : before->GetPoint(i));
+  }
+  output->SetPoints(points);
+  ReplacePointNormals(output, surface, Q, generateNormals);
+  ReplaceCellNormals(output);
 }
 }

@@ -58,11 +58,18 @@ struct ArrayRule
 SphericalStyle::Points GatherPointArray(vtkDataArray* array, vtkIdType numberOfPoints,
   const vtkSurfaceMesh& surface, const ArrayRule& rule);
 
-/// Point normals of a moved surface, one row per input point. Coincident points that had equal
-/// normals in `before` (or all coincident points, without it) share one normal, so that seams stay
-/// smooth and creases stay sharp. Points of no triangle get `before`, or zero.
-SphericalStyle::Points MovedNormals(
-  const SphericalStyle::Points& Q, const vtkSurfaceMesh& surface, vtkDataArray* before);
+/// One row per mesh point to a point array of the output, zero where nothing moves.
+/// @param type  VTK_FLOAT or VTK_DOUBLE
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+void AddPointArray(
+  vtkPolyData* output, const vtkSurfaceMesh& surface, const char* name, int type, const Rows& rows);
+
+/// Gives the output (a shallow copy of the input) the moved points Q and what follows from them:
+/// point normals if it had some or `generate` is set, cell normals if it had some. Points that do
+/// not move keep their bits, or the nearest of the new number type.
+/// @param precision  vtkAlgorithm::DesiredOutputPrecision
+void ReplacePoints(vtkPolyData* output, const vtkSurfaceMesh& surface,
+  const SphericalStyle::Points& Q, int precision, bool generateNormals);
 }
 
 #endif
