@@ -187,7 +187,11 @@ public:
   Points Directions(const StyleOptions& options, StyleReport& report) const;
   void UpdateGlobal(const std::vector<int>& fixedPoints);
   bool IsClosedForm(const StyleOptions& options, const StyleReport& report) const;
+  void BuildEnergy(const StyleOptions& options, StyleReport& report);
+  void FactorGlobal(StyleReport& report);
+  void StartFromRest(const StyleOptions& options);
   void StartFromBlend(double radius);
+  void ToModelUnits(const StyleOptions& options, StyleReport& report);
 };
 
 StyleSolver::StyleSolver()
@@ -290,81 +294,119 @@ void StyleSolver::State::StartFromBlend(double radius)
   }
 }
 
-StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& callback)
+/// Edges, targets and weights of [energy], or of [detail] with a detail size.
+void StyleSolver::State::BuildEnergy(const StyleOptions& options, StyleReport& report)
 {
-  State& s = *this->S;
-  const Triangles& F = s.Given.F;
-  CheckOptions(options, static_cast<int>(s.P.rows()));
-  StyleReport report;
-
-  const Stopwatch base;
-  s.UpdateBase(options.detailSize);
-  report.seconds.base = base.Seconds();
-
-  // Targets and weights.
-  const Stopwatch targets;
-  const double unit = s.MeshFrame.scale;
-  const Sphere custom = { (options.custom.center - s.MeshFrame.origin.transpose()) / unit,
-    options.custom.radius / unit };
-  report.sphere = TargetSphere(s.Base, F, options.centerMode, options.radiusMode, custom);
-  s.T = s.Directions(options, report);
+  const Stopwatch watch;
+  const Triangles& F = this->Given.F;
+  const Frame& frame = this->MeshFrame;
+  const Sphere custom = { (options.custom.center - frame.origin.transpose()) / frame.scale,
+    options.custom.radius / frame.scale };
+  report.sphere = TargetSphere(this->Base, F, options.centerMode, options.radiusMode, custom);
+  this->T = this->Directions(options, report);
   const bool details = options.detailSize > 0.0;
-  const HalfEdgeVectors baseEdges = details ? HalfEdgeDifferences(s.Base, F) : s.Edges;
-  HalfEdgeVectors tau = EdgeTargets(
-    s.T, report.sphere.radius, F, baseEdges, options.concaveEdges, report.concaveHalfEdges);
-  Eigen::VectorXd lambda = Eigen::VectorXd::Constant(s.P.rows(), options.lambda);
+  const HalfEdgeVectors baseEdges = details ? HalfEdgeDifferences(this->Base, F) : this->Edges;
+  const HalfEdgeVectors tau = EdgeTargets(
+    this->T, report.sphere.radius, F, baseEdges, options.concaveEdges, report.concaveHalfEdges);
+  Eigen::VectorXd lambda = Eigen::VectorXd::Constant(this->P.rows(), options.lambda);
   if (options.roundnessFactors.size() > 0)
   {
     lambda = options.lambda * options.roundnessFactors;
   }
-  EdgeWeights weights =
-    ComputeEdgeWeights(s.Cotangents, F, lambda, options.edgeWeighting, options.sphericalWeighting);
-  s.Energy = details ? StyleEnergy(s.Topology, std::move(weights), s.Edges, s.Edges - baseEdges,
-                         std::move(tau), options.threads)
-                     : StyleEnergy(s.Topology, std::move(weights), s.Edges, std::move(tau),
-                         HalfEdgeVectors(0, 9), options.threads);
-  report.seconds.weights = targets.Seconds();
+  EdgeWeights weights = ComputeEdgeWeights(
+    this->Cotangents, F, lambda, options.edgeWeighting, options.sphericalWeighting);
+  const HalfEdgeVectors none(0, 9);
+  const HalfEdgeVectors delta = details ? this->Edges - baseEdges : tau;
+  this->Energy = StyleEnergy(
+    this->Topology, std::move(weights), this->Edges, delta, details ? tau : none, options.threads);
+  report.seconds.weights = watch.Seconds();
+}
 
-  // Start.
-  s.UpdateGlobal(options.fixedPoints);
-  s.R.assign(s.P.rows(), Eigen::Matrix3d::Identity());
-  s.Q = s.P;
-  for (std::size_t i = 0; i < options.fixedPoints.size(); ++i)
+void StyleSolver::State::FactorGlobal(StyleReport& report)
+{
+  const EdgeWeights& w = this->Energy.GetWeights();
+  report.factored = w.proportional ? this->Global.SetWeights(w.c, 1.0 + w.ratio)
+                                   : this->Global.SetWeights(w.c + w.l, 1.0);
+  report.seconds.analyze = this->Global.GetAnalyzeSeconds();
+  report.seconds.factor = this->Global.GetFactorSeconds();
+  report.linearSolver = this->Global.GetSolverName();
+}
+
+/// Rest points with the fixed ones at their positions, every rotation the identity.
+void StyleSolver::State::StartFromRest(const StyleOptions& options)
+{
+  this->R.assign(this->P.rows(), Eigen::Matrix3d::Identity());
+  this->Q = this->P;
+  if (!options.fixedPoints.empty())
   {
-    s.Q.row(options.fixedPoints[i]) =
-      s.MeshFrame.Into(options.fixedPositions.row(static_cast<Eigen::Index>(i)));
+    this->Q(options.fixedPoints, Eigen::all) = this->MeshFrame.Into(options.fixedPositions);
   }
+}
+
+void StyleSolver::State::ToModelUnits(const StyleOptions& options, StyleReport& report)
+{
+  const Frame& frame = this->MeshFrame;
+  this->Positions = frame.OutOf(this->Q);
+  if (!options.fixedPoints.empty())
+  {
+    this->Positions(options.fixedPoints, Eigen::all) = options.fixedPositions; // exactly
+  }
+  if (!this->Positions.allFinite())
+  {
+    throw SolverError("the result is not finite");
+  }
+  report.sphere.center = frame.scale * report.sphere.center + frame.origin.transpose();
+  report.sphere.radius *= frame.scale;
+  const double square = frame.scale * frame.scale;
+  report.loop.restEnergy *= square;
+  for (HistoryRow& row : report.loop.history)
+  {
+    row.energy.rigid *= square;
+    row.energy.spherical *= square;
+    row.localChange *= square;
+    row.globalChange *= square;
+  }
+}
+
+StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& callback)
+{
+  State& s = *this->S;
+  CheckOptions(options, static_cast<int>(s.P.rows()));
+  StyleReport report;
+  const Stopwatch base;
+  s.UpdateBase(options.detailSize);
+  report.seconds.base = base.Seconds();
+  s.BuildEnergy(options, report);
+  s.UpdateGlobal(options.fixedPoints);
+  s.StartFromRest(options);
   LinearFeature problem(s.Energy, s.Global, s.R, s.P, s.RestMeans, options.anchor);
   const double restEnergy = s.Energy.Evaluate(s.P, s.R).Total();
-  const bool blend = options.initialGuess == InitialGuess::Blend;
-  const bool closedForm = s.IsClosedForm(options, report);
-  // Without details the blend is not only the start but the minimum, on weights that are positive
-  // semidefinite in every triangle.
+
+  // Without details the blend is not only the start but the minimum, as long as the weights are
+  // positive semidefinite in every triangle: nothing needs to be solved.
+  const bool fromBlend = options.initialGuess == InitialGuess::Blend;
+  const bool closedForm = fromBlend && s.IsClosedForm(options, report);
+  report.closedForm = closedForm && options.detailSize == 0.0 &&
+    options.edgeWeighting == EdgeWeighting::HalfEdge &&
+    options.loop.stopRule != StopRule::FixedIterations;
   LoopOptions loop = options.loop;
-  report.closedForm = closedForm && blend && !details &&
-    options.edgeWeighting == EdgeWeighting::HalfEdge && loop.stopRule != StopRule::FixedIterations;
-  if (!report.closedForm)
+  if (report.closedForm)
   {
-    const EdgeWeights& w = s.Energy.GetWeights();
-    report.factored = w.proportional ? s.Global.SetWeights(w.c, 1.0 + w.ratio)
-                                     : s.Global.SetWeights(w.c + w.l, 1.0);
-    report.seconds.analyze = s.Global.GetAnalyzeSeconds();
-    report.seconds.factor = s.Global.GetFactorSeconds();
-    report.linearSolver = s.Global.GetSolverName();
+    loop.maximumNumberOfIterations = 0;
+  }
+  else
+  {
+    s.FactorGlobal(report);
   }
   const Stopwatch iterate;
-  if (blend && closedForm)
+  if (closedForm)
   {
     s.StartFromBlend(report.sphere.radius);
     problem.MoveComponents(s.Q);
   }
-  else if (blend)
+  else if (fromBlend)
   {
-    problem.SolveGlobal(s.Q);
-  }
-  if (report.closedForm)
-  {
-    loop.maximumNumberOfIterations = 0;
+    problem.SolveGlobal(s.Q); // [start]
   }
   report.loop =
     RunLocalGlobal(problem, s.P, restEnergy, 1e-14 * s.Energy.GetScale(), s.Q, loop, callback);
@@ -374,29 +416,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     report.loop.history.back().gap = 0.0;
   }
   report.seconds.iterate = iterate.Seconds();
-
-  // Back to model units.
-  s.Positions = s.MeshFrame.OutOf(s.Q);
-  for (std::size_t i = 0; i < options.fixedPoints.size(); ++i)
-  {
-    s.Positions.row(options.fixedPoints[i]) =
-      options.fixedPositions.row(static_cast<Eigen::Index>(i));
-  }
-  report.sphere.center = unit * report.sphere.center + s.MeshFrame.origin.transpose();
-  report.sphere.radius *= unit;
-  report.loop.restEnergy *= unit * unit;
-  for (HistoryRow& row : report.loop.history)
-  {
-    for (double* energy :
-      { &row.energy.rigid, &row.energy.spherical, &row.localChange, &row.globalChange })
-    {
-      *energy *= unit * unit;
-    }
-  }
-  if (!s.Positions.allFinite())
-  {
-    throw SolverError("the result is not finite");
-  }
+  s.ToModelUnits(options, report);
   return report;
 }
 
