@@ -246,24 +246,26 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
   {
     warn("the input has no triangle with an area: nothing moves");
   }
+  const auto count = [](vtkIdType n, const char* noun)
+  { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); };
   if (surface.FannedPolygons > 0)
   {
-    warn(std::to_string(surface.FannedPolygons) +
-      " polygons cannot be triangulated and were cut as fans, the first is cell " +
+    warn("cut " + count(surface.FannedPolygons, "polygon") +
+      " that cannot be triangulated as fans, the first is cell " +
       std::to_string(surface.FirstFannedPolygon));
   }
   if (surface.DegenerateTriangles > 0)
   {
-    warn(std::to_string(surface.DegenerateTriangles) +
-      " degenerate triangles were skipped, the first in cell " +
-      std::to_string(surface.FirstDegenerateCell) + "; points of no other triangle stay in place");
+    warn("skipped " + count(surface.DegenerateTriangles, "degenerate triangle") +
+      ", the first in cell " + std::to_string(surface.FirstDegenerateCell) +
+      "; points of no other triangle stay in place");
   }
   if (!report.pointsOnCenter.empty())
   {
-    warn(std::to_string(report.pointsOnCenter.size()) +
-      " points lie on the centre and have no direction from it, the first is point " +
+    const vtkIdType n = static_cast<vtkIdType>(report.pointsOnCenter.size());
+    warn("no direction from the centre for " + count(n, "point") + " on it, the first is point " +
       std::to_string(surface.FirstInputPoint(report.pointsOnCenter.front())) +
-      "; they take the mean of their neighbours'");
+      "; the mean of the neighbours' directions is taken");
   }
   if (solved && !report.loop.converged && !report.loop.aborted)
   {

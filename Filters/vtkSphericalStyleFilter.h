@@ -14,7 +14,7 @@
  *
  * Input arrays to process, all optional, all of point data:
  *  - 0: normals, 3 components, used where NormalBlend > 0 (default: the active normals; computed
- *       when there are none);
+ *       when there are none, and with DetailSize > 0, whose base has normals of its own);
  *  - 1: roundness factor, 1 component, >= 0: the Roundness of a point is Roundness times it;
  *  - 2: normal blend, 1 component, 0..1: replaces NormalBlend point by point;
  *  - 3: target directions, 3 components, replace t (length 1 means radius r).

@@ -10,6 +10,8 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -146,28 +148,32 @@ Points InputPoints(vtkPolyData* input)
   return x;
 }
 
-/// The first point at the place of each point.
-std::vector<vtkIdType> FirstCoincident(vtkPolyData* input, bool weld)
+/// One point at the place of each point, the same for all that coincide.
+std::vector<vtkIdType> Representatives(Points& x, bool weld)
 {
-  std::vector<vtkIdType> first(input->GetNumberOfPoints());
-  std::iota(first.begin(), first.end(), 0);
-  double bounds[6];
-  input->GetPoints()->GetBounds(bounds);
-  const bool onePlace = bounds[0] == bounds[1] && bounds[2] == bounds[3] && bounds[4] == bounds[5];
-  if (weld && onePlace)
+  std::vector<vtkIdType> representative(x.rows());
+  std::iota(representative.begin(), representative.end(), 0);
+  if (!weld)
   {
-    std::fill(first.begin(), first.end(), 0);
+    return representative;
   }
-  else if (weld)
+  if ((x.rowwise() - x.row(0)).isZero(0.0)) // the locator divides by the size of the bounds
   {
-    vtkNew<vtkPolyData> cloud; // points alone: the locator builds no cells
-    cloud->SetPoints(input->GetPoints());
-    vtkNew<vtkStaticPointLocator> locator;
-    locator->SetDataSet(cloud);
-    locator->BuildLocator();
-    locator->MergePoints(0.0, first.data());
+    std::fill(representative.begin(), representative.end(), 0);
+    return representative;
   }
-  return first;
+  vtkNew<vtkDoubleArray> coordinates; // the locator knows float and double only; this is no copy
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetArray(x.data(), x.size(), 1);
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  vtkNew<vtkPolyData> cloud; // points alone: the locator builds no cells
+  cloud->SetPoints(points);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(cloud);
+  locator->BuildLocator();
+  locator->MergePoints(0.0, representative.data());
+  return representative;
 }
 
 bool IsDegenerate(const Points& x, const std::array<vtkIdType, 3>& t)
@@ -221,6 +227,21 @@ std::vector<int> NormalGroups(
   return group;
 }
 
+/// Puts new normals in the place of the old ones among the arrays.
+void ReplaceNormals(vtkDataSetAttributes* attributes, vtkDataArray* normals)
+{
+  vtkDataArray* before = attributes->GetNormals();
+  if (before && before->GetName())
+  {
+    attributes->AddArray(normals); // a name that is there keeps its place
+    attributes->SetActiveNormals(normals->GetName());
+  }
+  else
+  {
+    attributes->SetNormals(normals);
+  }
+}
+
 /// Normals of the moved surface; points of no triangle keep theirs.
 void ReplacePointNormals(
   vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q, bool generate)
@@ -249,7 +270,7 @@ void ReplacePointNormals(
     }
     normals->SetTuple(static_cast<vtkIdType>(i), group[i] >= 0 ? n.row(group[i]).data() : normal);
   }
-  output->GetPointData()->SetNormals(normals);
+  ReplaceNormals(output->GetPointData(), normals);
 }
 
 /// Normals of the faces after the points have moved; vertices and lines keep theirs.
@@ -276,7 +297,7 @@ void ReplaceCellNormals(vtkPolyData* output)
       normals->SetTuple(cell, normal);
     }
   }
-  output->GetCellData()->SetNormals(normals);
+  ReplaceNormals(output->GetCellData(), normals);
 }
 }
 
@@ -289,8 +310,8 @@ namespace vtkSurfaceMeshConversion
 {
 vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld)
 {
-  const Points x = InputPoints(input);
-  const std::vector<vtkIdType> first = FirstCoincident(input, weld);
+  Points x = InputPoints(input);
+  const std::vector<vtkIdType> first = Representatives(x, weld);
 
   vtkSurfaceMesh surface;
   using Corners = std::array<vtkIdType, 3>;

@@ -35,7 +35,7 @@ bool Stops(const LoopOptions& options, const HistoryRow& row)
     case StopRule::Converged:
       return row.gap < options.tolerance;
     case StopRule::Thesis:
-      return row.iteration > 0 && row.residual < ThesisTolerance;
+      return row.residual < ThesisTolerance;
     case StopRule::FixedIterations:
       break;
   }
@@ -46,6 +46,7 @@ bool Stops(const LoopOptions& options, const HistoryRow& row)
 double EstimateGap(const std::vector<double>& energies, double restEnergy)
 {
   constexpr double Safety = 3.0;
+  constexpr double Ratio = 1.5;
   const double count = static_cast<double>(energies.size());
   if (count < 3.0)
   {
@@ -58,10 +59,9 @@ double EstimateGap(const std::vector<double>& energies, double restEnergy)
     const double weight = i < energies.size() ? std::log(x / i) / std::log((i + 1.0) / i) : 0.0;
     return weight > 0.0 ? (1.0 - weight) * energies[i - 1] + weight * energies[i] : energies[i - 1];
   };
-  const double ratio = std::min(1.5, std::sqrt(count));
-  const double middle = energyAt(count / ratio);
+  const double middle = energyAt(count / Ratio);
   const double last = energies.back();
-  const double earlier = energyAt(count / (ratio * ratio)) - middle;
+  const double earlier = energyAt(count / (Ratio * Ratio)) - middle;
   const double later = middle - last;
   if (!(later > 0.0))
   {
@@ -85,9 +85,10 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
   start.globalChange = start.energy.Total() - restEnergy;
   start.residual = Unknown;
   start.gap = Unknown;
-  if (restEnergy <= negligible)
+  const bool nothingToGain = restEnergy <= negligible; // 0/0 is convergence
+  if (nothingToGain)
   {
-    start.gap = 0.0; // 0/0: nothing to gain
+    start.gap = start.residual = 0.0;
   }
   report.history.push_back(start);
   report.converged = Stops(options, start);
@@ -132,7 +133,7 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
     row.globalChange = row.energy.Total() - bound;
     row.residual = Residual(Q, before, rest);
     energies.push_back(row.energy.Total());
-    row.gap = restEnergy <= negligible ? 0.0 : EstimateGap(energies, restEnergy);
+    row.gap = nothingToGain ? 0.0 : EstimateGap(energies, restEnergy);
     report.history.push_back(row);
     report.converged = Stops(options, row);
     const double change =

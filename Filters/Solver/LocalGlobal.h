@@ -33,7 +33,7 @@ struct HistoryRow
   EnergyTerms energy;
   double localChange = 0.0;  ///< of the energy, by the local step
   double globalChange = 0.0; ///< by the global step, and by acceleration where it was taken
-  double residual = 0.0;     ///< Eq. 3.46 - 3.48
+  double residual = 0.0;     ///< Eq. 3.46 - 3.48; NaN at the start
   double gap = 0.0;          ///< estimated (E - E*) / (E_0 - E*); NaN while unknown
 };
 
@@ -43,7 +43,7 @@ struct LoopReport
   int iterations = 0;
   bool converged = false;
   bool aborted = false;
-  double restEnergy = 0.0; ///< E_0: the untouched model, every rotation the identity
+  double restEnergy = 0.0; ///< E_0: only fixed points moved, every rotation the identity
   std::vector<HistoryRow> history;
 };
 

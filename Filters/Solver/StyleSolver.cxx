@@ -52,11 +52,13 @@ void CheckOptions(const StyleOptions& o, int n)
       (o.roundnessFactors.allFinite() && o.roundnessFactors.minCoeff() >= 0.0),
     "roundness factors must be finite and not negative");
   Require(o.normalBlends.size() == 0 ||
-      (o.normalBlends.minCoeff() >= 0.0 && o.normalBlends.maxCoeff() <= 1.0),
+      (o.normalBlends.allFinite() && o.normalBlends.minCoeff() >= 0.0 &&
+        o.normalBlends.maxCoeff() <= 1.0),
     "normal blends must lie in 0..1");
   Require(o.normals.allFinite() && o.targets.allFinite(), "directions must be finite");
   Require(static_cast<Eigen::Index>(o.fixedPoints.size()) == o.fixedPositions.rows(),
     "one position per fixed point is needed");
+  Require(o.fixedPositions.allFinite(), "positions of fixed points must be finite");
   for (const int i : o.fixedPoints)
   {
     Require(i >= 0 && i < n, "a fixed point lies outside the mesh");
@@ -203,6 +205,10 @@ StyleSolver::~StyleSolver() = default;
 
 void StyleSolver::SetMesh(const TriangleMesh& mesh)
 {
+  if (mesh.F.rows() == 0)
+  {
+    throw std::invalid_argument("the mesh has no triangle");
+  }
   State& s = *this->S;
   const bool sameTriangles =
     s.Given.F.rows() == mesh.F.rows() && s.Given.P.rows() == mesh.P.rows() && s.Given.F == mesh.F;
@@ -380,7 +386,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   s.UpdateGlobal(options.fixedPoints);
   s.StartFromRest(options);
   LinearFeature problem(s.Energy, s.Global, s.R, s.P, s.RestMeans, options.anchor);
-  const double restEnergy = s.Energy.Evaluate(s.P, s.R).Total();
+  const double restEnergy = s.Energy.Evaluate(s.Q, s.R).Total();
 
   // Without details the blend is not only the start but the minimum, as long as the weights are
   // positive semidefinite in every triangle: nothing needs to be solved.
