@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python package imports, knows its version and moves the points of a sphere.
+
+usage: TestImport.py VERSION
+"""
+import sys
+
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+import sphericalstyle
+from sphericalstyle import vtkSphericalStyleFilter
+
+assert sphericalstyle.__version__ == sys.argv[1], sphericalstyle.__version__
+
+# Twice as long as wide, so that there is something to round.
+source = vtkSphereSource()
+source.SetThetaResolution(24)
+source.SetPhiResolution(24)
+source.Update()
+ellipsoid = source.GetOutput()
+points = ellipsoid.GetPoints()
+for i in range(points.GetNumberOfPoints()):
+    x, y, z = points.GetPoint(i)
+    points.SetPoint(i, x, y, 2 * z)
+
+
+def elongation(polydata):
+    bounds = polydata.GetBounds()
+    return (bounds[5] - bounds[4]) / (bounds[1] - bounds[0])
+
+
+rounded = vtkSphericalStyleFilter()
+rounded.SetInputData(ellipsoid)
+rounded.SetRoundness(2.0)
+rounded.Update()
+output = rounded.GetOutput()
+table = rounded.GetOutputDataObject(1)
+
+assert output.GetNumberOfPoints() == ellipsoid.GetNumberOfPoints()
+assert output.GetNumberOfCells() == ellipsoid.GetNumberOfCells()
+assert elongation(ellipsoid) > 1.9, elongation(ellipsoid)
+assert 1.0 < elongation(output) < 1.6, elongation(output)
+assert output.GetPointData().HasArray("Displacement")
+assert rounded.GetConverged() and rounded.GetNumberOfIterations() > 0
+assert table.GetNumberOfRows() == rounded.GetNumberOfIterations() + 1, table.GetNumberOfRows()

@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin loads, its proxy runs, and both outputs and the read-only properties arrive.
+
+usage: pvpython TestParaViewProxy.py SphericalStyle.so
+"""
+import sys
+
+from paraview import servermanager
+from paraview.simple import Calculator, GetViews, LoadPlugin, Sphere, UpdatePipeline
+from paraview.modules.vtkRemotingViews import vtkSMParaViewPipelineControllerWithRendering
+
+import sphericalstyle  # gives the C++ object behind the proxy its methods
+
+LoadPlugin(sys.argv[1], remote=False, ns=globals())
+
+
+def bounds(proxy):
+    return proxy.GetDataInformation().GetBounds()
+
+
+# Twice as long as wide, so that there is something to round.
+sphere = Sphere(ThetaResolution=32, PhiResolution=32)
+long_sphere = Calculator(Input=sphere, Function="coordsX*iHat + coordsY*jHat + 2*coordsZ*kHat",
+                         CoordinateResults=1)
+UpdatePipeline(proxy=long_sphere)
+
+# ----------------------------------------------------------------- defaults, as the panel gets them
+rounded = SphericalStyle(Input=long_sphere)
+assert rounded.Roundness == 0.5 and rounded.DetailSize == 0.0 and rounded.NormalBlend == 0.0
+assert rounded.CenterMode == "Point Mean" and rounded.RadiusMode == "Equal Area"
+assert rounded.StopRule == "Converged" and rounded.OutputPointsPrecision == "Default"
+for array in (rounded.NormalsArray, rounded.RoundnessFactorArray, rounded.NormalBlendArray,
+              rounded.TargetDirectionsArray):
+    assert list(array) == ["POINTS", "None"], list(array)
+assert all(abs(c) < 1e-6 for c in rounded.Center), list(rounded.Center)
+UpdatePipeline(proxy=rounded)
+default_height = bounds(rounded)[5]
+
+# ---------------------------------------------------------------------------- properties reach C++
+rounded.Roundness = 2.0
+rounded.CenterMode = "Custom"
+rounded.Center = [0.0, 0.0, 0.1]
+rounded.RadiusMode = "Custom"
+rounded.Radius = 0.7
+rounded.GenerateCellEnergy = 1
+UpdatePipeline(proxy=rounded)
+assert bounds(rounded)[5] < default_height < bounds(long_sphere)[5]
+filter_ = rounded.SMProxy.GetClientSideObject()
+assert filter_.GetRoundness() == 2.0 and filter_.GetGenerateCellEnergy()
+assert filter_.GetCenter() == (0.0, 0.0, 0.1) and filter_.GetRadius() == 0.7
+information = rounded.GetDataInformation()
+assert information.GetNumberOfPoints() == long_sphere.GetDataInformation().GetNumberOfPoints()
+assert rounded.PointData.GetArray("Displacement").GetNumberOfComponents() == 3
+
+# ---------------------------------------------------------------- facts of the execution, the table
+rounded.UpdatePipelineInformation()
+fact = rounded.GetPropertyValue
+assert fact("NumberOfIterations") == filter_.GetNumberOfIterations() > 0
+assert fact("Converged") == 1, fact("Converged")
+assert fact("FinalEnergy") == filter_.GetFinalEnergy() > 0
+assert list(fact("EffectiveCenter")) == [0.0, 0.0, 0.1], list(fact("EffectiveCenter"))
+assert fact("EffectiveRadius") == 0.7, fact("EffectiveRadius")
+table = servermanager.Fetch(rounded, idx=1)
+assert table.GetClassName() == "vtkTable"
+assert table.GetNumberOfRows() == fact("NumberOfIterations") + 1
+assert table.GetColumnByName("Total") is not None
+
+# ------------------------------------------------------------------------------------------ arrays
+weighted = Calculator(Input=long_sphere, Function="0", ResultArrayName="still")
+fixed = SphericalStyle(Input=weighted, RoundnessFactorArray=["POINTS", "still"])
+UpdatePipeline(proxy=fixed)
+assert all(abs(a - b) < 1e-6 for a, b in zip(bounds(fixed), bounds(long_sphere))), bounds(fixed)
+
+# -------------------------------------------------------------- what Apply would open for the table
+controller = vtkSMParaViewPipelineControllerWithRendering()
+assert controller.ShowInPreferredView(rounded.SMProxy, 1, None) is None
+assert not GetViews(), "a view opened for the energy table"

@@ -1,0 +1,442 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Generated meshes for the tests. Closed ones are oriented outward.
+#ifndef SphericalStyle_Meshes_h
+#define SphericalStyle_Meshes_h
+
+#include "TriangleMesh.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace Meshes
+{
+using SphericalStyle::Points;
+using SphericalStyle::TriangleMesh;
+using SphericalStyle::Triangles;
+using Vector = Eigen::Vector3d;
+
+constexpr double Pi = 3.14159265358979323846;
+
+/// Numbers in (0, 1) or (-1, 1). The library's distributions differ between compilers, its engines
+/// do not.
+class Random
+{
+public:
+  explicit Random(std::uint32_t seed)
+    : Engine(seed)
+  {
+  }
+  double Unit() { return (this->Engine() + 0.5) / 4294967296.0; }
+  double Signed() { return 2.0 * this->Unit() - 1.0; }
+  Vector InCube() { return { this->Signed(), this->Signed(), this->Signed() }; }
+  Eigen::Matrix3d Matrix()
+  {
+    Eigen::Matrix3d M;
+    for (int i = 0; i < 9; ++i)
+    {
+      M(i) = this->Signed();
+    }
+    return M;
+  }
+  Eigen::Matrix3d Rotation()
+  {
+    Eigen::Quaterniond q(this->Signed(), this->Signed(), this->Signed(), this->Signed());
+    return q.normalized().toRotationMatrix();
+  }
+  std::vector<int> Permutation(int n)
+  {
+    std::vector<int> order(n);
+    std::iota(order.begin(), order.end(), 0);
+    for (int i = n - 1; i > 0; --i)
+    {
+      std::swap(order[i], order[static_cast<int>(this->Unit() * (i + 1))]);
+    }
+    return order;
+  }
+
+private:
+  std::mt19937 Engine;
+};
+
+inline TriangleMesh Make(
+  const std::vector<Vector>& points, const std::vector<std::array<int, 3>>& triangles)
+{
+  TriangleMesh mesh;
+  mesh.P.resize(points.size(), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    mesh.P.row(i) = points[i].transpose();
+  }
+  mesh.F.resize(triangles.size(), 3);
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+  {
+    mesh.F.row(f) << triangles[f][0], triangles[f][1], triangles[f][2];
+  }
+  return mesh;
+}
+
+inline double Diagonal(const Points& P)
+{
+  return (P.colwise().maxCoeff() - P.colwise().minCoeff()).norm();
+}
+
+/// Largest distance of two points of the same number; infinite when one is not finite (Eigen's
+/// maximum may pass over NaN).
+inline double Distance(const Points& A, const Points& B)
+{
+  const Points difference = A - B;
+  return difference.allFinite() ? difference.rowwise().norm().maxCoeff()
+                                : std::numeric_limits<double>::infinity();
+}
+
+inline bool SameBits(const Points& A, const Points& B)
+{
+  return A.rows() == B.rows() && std::memcmp(A.data(), B.data(), A.size() * sizeof(double)) == 0;
+}
+
+inline TriangleMesh Tetrahedron()
+{
+  return Make({ { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } },
+    { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 } });
+}
+
+/// Every triangle into four.
+inline TriangleMesh Subdivide(const TriangleMesh& coarse)
+{
+  std::vector<Vector> points;
+  for (int i = 0; i < coarse.P.rows(); ++i)
+  {
+    points.push_back(coarse.P.row(i).transpose());
+  }
+  std::map<std::pair<int, int>, int> middles;
+  const auto middle = [&](int u, int v)
+  {
+    const auto found =
+      middles.insert({ { std::min(u, v), std::max(u, v) }, static_cast<int>(points.size()) });
+    if (found.second)
+    {
+      const Vector m = 0.5 * (points[u] + points[v]);
+      points.push_back(m);
+    }
+    return found.first->second;
+  };
+  std::vector<std::array<int, 3>> triangles;
+  for (int f = 0; f < coarse.F.rows(); ++f)
+  {
+    const int a = coarse.F(f, 0), b = coarse.F(f, 1), c = coarse.F(f, 2);
+    const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    triangles.push_back({ a, ab, ca });
+    triangles.push_back({ ab, b, bc });
+    triangles.push_back({ ca, bc, c });
+    triangles.push_back({ ab, bc, ca });
+  }
+  return Make(points, triangles);
+}
+
+/// Unit sphere of 10 * 4^level + 2 points.
+inline TriangleMesh Icosphere(int level)
+{
+  const double g = 0.5 * (1.0 + std::sqrt(5.0));
+  TriangleMesh mesh =
+    Make({ { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g }, { 0, 1, g },
+           { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 }, { -g, 0, 1 } },
+      { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 }, { 1, 5, 9 },
+        { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 },
+        { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 },
+        { 9, 8, 1 } });
+  mesh.P.rowwise().normalize();
+  for (int k = 0; k < level; ++k)
+  {
+    mesh = Subdivide(mesh);
+    mesh.P.rowwise().normalize();
+  }
+  return mesh;
+}
+
+inline TriangleMesh Scaled(TriangleMesh mesh, const Vector& factors)
+{
+  mesh.P = (mesh.P * factors.asDiagonal()).eval();
+  return mesh;
+}
+
+/// Every point moved by up to amount along each axis.
+inline TriangleMesh Perturbed(TriangleMesh mesh, double amount, std::uint32_t seed)
+{
+  Random random(seed);
+  for (int i = 0; i < mesh.P.rows(); ++i)
+  {
+    mesh.P.row(i) += amount * random.InCube().transpose();
+  }
+  return mesh;
+}
+
+/// Icosphere pulled to the half axes 1, .7, .5.
+inline TriangleMesh Ellipsoid(int level)
+{
+  return Scaled(Icosphere(level), { 1.0, 0.7, 0.5 });
+}
+
+/// Rings of points between two poles: around * rings + 2 points, thin triangles at the poles.
+inline TriangleMesh EllipsoidUV(int around = 24, int rings = 16)
+{
+  std::vector<Vector> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (int j = 0; j < rings; ++j)
+  {
+    const double theta = Pi * (j + 1) / (rings + 1);
+    for (int i = 0; i < around; ++i)
+    {
+      const double phi = 2.0 * Pi * i / around;
+      points.push_back({ std::sin(theta) * std::cos(phi), 0.7 * std::sin(theta) * std::sin(phi),
+        0.5 * std::cos(theta) });
+    }
+  }
+  const int north = around * rings, south = north + 1;
+  points.push_back({ 0, 0, 0.5 });
+  points.push_back({ 0, 0, -0.5 });
+  for (int i = 0; i < around; ++i)
+  {
+    const int k = (i + 1) % around;
+    triangles.push_back({ north, i, k });
+    triangles.push_back({ south, (rings - 1) * around + k, (rings - 1) * around + i });
+    for (int j = 0; j + 1 < rings; ++j)
+    {
+      const int a = j * around + i, b = j * around + k;
+      triangles.push_back({ a, a + around, b + around });
+      triangles.push_back({ a, b + around, b });
+    }
+  }
+  return Make(points, triangles);
+}
+
+/// Surface of [-1, 1]^3 times half, k squares along every edge, every square split along the same
+/// diagonal: 6 k^2 + 2 points.
+inline TriangleMesh Box(int k, const Vector& half = { 1, 1, 1 })
+{
+  std::vector<Vector> points;
+  std::vector<std::array<int, 3>> triangles;
+  std::map<std::array<int, 3>, int> numbers;
+  const auto number = [&](const std::array<int, 3>& place)
+  {
+    const auto found = numbers.insert({ place, static_cast<int>(points.size()) });
+    if (found.second)
+    {
+      points.push_back({ half[0] * (2.0 * place[0] / k - 1.0), half[1] * (2.0 * place[1] / k - 1.0),
+        half[2] * (2.0 * place[2] / k - 1.0) });
+    }
+    return found.first->second;
+  };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      for (int i = 0; i < k; ++i)
+      {
+        for (int j = 0; j < k; ++j)
+        {
+          const auto corner = [&](int di, int dj)
+          {
+            std::array<int, 3> place{};
+            place[axis] = side * k;
+            place[(axis + 1) % 3] = i + di;
+            place[(axis + 2) % 3] = j + dj;
+            return number(place);
+          };
+          const int a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
+          if (side == 1)
+          {
+            triangles.push_back({ a, b, c });
+            triangles.push_back({ a, c, d });
+          }
+          else
+          {
+            triangles.push_back({ a, c, b });
+            triangles.push_back({ a, d, c });
+          }
+        }
+      }
+    }
+  }
+  return Make(points, triangles);
+}
+
+/// A house: a pentagon swept along y, its slices sheared so far that most wall triangles are
+/// obtuse; the gables are fans. (10 * slices + 2) points.
+inline TriangleMesh House(int slices = 5)
+{
+  const std::vector<std::array<double, 2>> outline = { { -1, 0 }, { 0, 0 }, { 1, 0 }, { 1, 0.6 },
+    { 1, 1.2 }, { 0.5, 1.55 }, { 0, 1.9 }, { -0.5, 1.55 }, { -1, 1.2 }, { -1, 0.6 } };
+  const int around = static_cast<int>(outline.size());
+  std::vector<Vector> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (int s = 0; s < slices; ++s)
+  {
+    for (int i = 0; i < around; ++i)
+    {
+      // The ends stay plane; between them neighbours on the outline are shifted against each other.
+      const double shear = s == 0 || s == slices - 1 ? 0.0 : 0.32 * ((i % 2) - 0.5);
+      points.push_back({ outline[i][0], 2.4 * s / (slices - 1) + shear, outline[i][1] });
+    }
+  }
+  const int front = around * slices, back = front + 1;
+  points.push_back({ 0, 0, 0.9 });
+  points.push_back({ 0, 2.4, 0.9 });
+  for (int i = 0; i < around; ++i)
+  {
+    const int k = (i + 1) % around;
+    triangles.push_back({ front, i, k });
+    triangles.push_back({ back, (slices - 1) * around + k, (slices - 1) * around + i });
+    for (int s = 0; s + 1 < slices; ++s)
+    {
+      const int a = s * around + i, b = s * around + k;
+      triangles.push_back({ a, a + around, b + around });
+      triangles.push_back({ a, b + around, b });
+    }
+  }
+  return Make(points, triangles);
+}
+
+/// A wavy sheet of k x k squares with a border, one-direction diagonals; flat for height 0.
+inline TriangleMesh Patch(int k, double height)
+{
+  std::vector<Vector> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (int j = 0; j <= k; ++j)
+  {
+    for (int i = 0; i <= k; ++i)
+    {
+      const double x = 2.0 * i / k - 1.0, y = 1.6 * j / k - 0.8;
+      points.push_back(
+        { x, y, height * (std::sin(2.0 * x + 0.4) * std::cos(1.7 * y) + 0.5 * y * y) });
+    }
+  }
+  for (int j = 0; j < k; ++j)
+  {
+    for (int i = 0; i < k; ++i)
+    {
+      const int a = j * (k + 1) + i, b = a + 1, c = b + k + 1, d = a + k + 1;
+      triangles.push_back({ a, b, c });
+      triangles.push_back({ a, c, d });
+    }
+  }
+  return Make(points, triangles);
+}
+
+/// Two meshes as one of two components, points and triangles in mixed order.
+inline TriangleMesh Mixed(const TriangleMesh& first, const TriangleMesh& second, std::uint32_t seed)
+{
+  Random random(seed);
+  const int n1 = first.P.rows(), n = n1 + second.P.rows();
+  const int m1 = first.F.rows(), m = m1 + second.F.rows();
+  const std::vector<int> place = random.Permutation(n), order = random.Permutation(m);
+  TriangleMesh mesh;
+  mesh.P.resize(n, 3);
+  for (int i = 0; i < n; ++i)
+  {
+    mesh.P.row(place[i]) = i < n1 ? first.P.row(i) : second.P.row(i - n1);
+  }
+  mesh.F.resize(m, 3);
+  for (int f = 0; f < m; ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      mesh.F(order[f], k) = place[f < m1 ? first.F(f, k) : second.F(f - m1, k) + n1];
+    }
+  }
+  return mesh;
+}
+
+/// An ellipsoid of 42 points beside a box of 26.
+inline TriangleMesh TwoComponents()
+{
+  TriangleMesh box = Perturbed(Box(2, { 0.5, 0.6, 0.4 }), 0.06, 5);
+  box.P.rowwise() += Eigen::RowVector3d(1.9, 0.3, -0.2);
+  return Mixed(Perturbed(Ellipsoid(1), 0.04, 4), box, 6);
+}
+
+/// Three sheets of width x length squares that meet in one line of edges; 1, 1: three triangle
+/// pairs at one edge.
+inline TriangleMesh NonManifoldFan(int width = 4, int length = 4)
+{
+  std::vector<Vector> points;
+  std::vector<std::array<int, 3>> triangles;
+  const auto place = [&](int sheet, int i, int j)
+  { return i == 0 ? j : (length + 1) * (1 + sheet * width + i - 1) + j; };
+  points.resize((length + 1) * (1 + 3 * width));
+  for (int sheet = 0; sheet < 3; ++sheet)
+  {
+    const double angle = 2.0 * Pi * sheet / 3.0 + 0.3;
+    for (int i = 0; i <= width; ++i)
+    {
+      for (int j = 0; j <= length; ++j)
+      {
+        const double x = 1.0 * i / width, z = 1.5 * j / length - 0.7;
+        const double bend = angle + 0.35 * x * x + 0.2 * x * std::sin(2.0 * z + sheet);
+        points[place(sheet, i, j)] = { x * std::cos(bend), x * std::sin(bend), z };
+        if (i < width && j < length)
+        {
+          const int a = place(sheet, i, j), b = place(sheet, i + 1, j);
+          const int c = place(sheet, i + 1, j + 1), d = place(sheet, i, j + 1);
+          triangles.push_back({ a, b, c });
+          triangles.push_back({ a, c, d });
+        }
+      }
+    }
+  }
+  return Make(points, triangles);
+}
+
+/// Three triangles at one edge, no more.
+inline TriangleMesh ThreeAtAnEdge()
+{
+  return Make({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0.4 }, { -0.6, 0.8, 0.5 }, { -0.5, -0.9, 0.6 } },
+    { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } });
+}
+
+/// An ellipsoid whose rings of points lie in close pairs: most triangles are slivers, with angles
+/// down to about a degree.
+inline TriangleMesh Slivers()
+{
+  const int around = 16, rings = 10;
+  TriangleMesh mesh = EllipsoidUV(around, rings);
+  for (int j = 0; j < rings; j += 2)
+  {
+    for (int i = 0; i < around; ++i)
+    {
+      const int a = j * around + i, b = a + around;
+      mesh.P.row(b) = (0.96 * mesh.P.row(a) + 0.04 * mesh.P.row(b)).eval();
+    }
+  }
+  return mesh;
+}
+
+inline int CountObtuse(const TriangleMesh& mesh)
+{
+  int obtuse = 0;
+  for (int f = 0; f < mesh.F.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Eigen::RowVector3d p = mesh.P.row(mesh.F(f, k));
+      obtuse +=
+        (mesh.P.row(mesh.F(f, (k + 1) % 3)) - p).dot(mesh.P.row(mesh.F(f, (k + 2) % 3)) - p) < 0.0;
+    }
+  }
+  return obtuse;
+}
+} // namespace Meshes
+
+#endif
