@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What the scripts of this folder share; sourced, not run.
+#
+#   BUILD_DIR    build folder, relative to the project's (default: build)
+#   VERBOSE=1    show everything the steps print
+#   SKIP_SETUP=1 install nothing, go on with what the machine has
+
+set -euo pipefail
+
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+BUILD_DIR=${BUILD_DIR:-build}
+case $BUILD_DIR in
+  /*) build=$BUILD_DIR ;;
+  *) build=$project/$BUILD_DIR ;;
+esac
+VERBOSE=${VERBOSE:-}
+SKIP_SETUP=${SKIP_SETUP:-}
+
+# Settings for another Python would confuse Debian's, which ParaView is linked with.
+unset PYTHONHOME PYTHONPATH
+
+# Software rendering: the same picture on every machine, with or without a graphics card.
+export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
+
+step_number=0
+step_count=0 # set by the script
+
+# step TITLE LOG COMMAND... : runs the command quietly, its output in $build/LOG.
+# Ends the script if the command fails, with the last lines of the log.
+step()
+{
+  local title=$1 log=$build/$2 start=$SECONDS status
+  shift 2
+  mkdir -p "$build"
+  step_number=$((step_number + 1))
+  printf '[%d/%d] %s ... ' "$step_number" "$step_count" "$title"
+  set +e # and on again inside: after a || the shell would not stop at a failing line
+  if [ -n "$VERBOSE" ]; then
+    printf '\n'
+    (set -e; "$@") 2>&1 | tee "$log"
+    status=$?
+  else
+    (set -e; "$@") >"$log" 2>&1
+    status=$?
+  fi
+  set -e
+  if [ "$status" -ne 0 ]; then
+    printf 'failed after %d s\n' "$((SECONDS - start))"
+    [ -n "$VERBOSE" ] || tail -n 60 "$log"
+    printf '\nThe step "%s" failed (exit code %d). Everything it printed: %s\n' \
+      "$title" "$status" "$log" >&2
+    exit 1
+  fi
+  printf '%d s\n' "$((SECONDS - start))"
+}
+
+# set_up [OPTIONS OF setup.sh] : not a step of its own if SKIP_SETUP is set.
+set_up()
+{
+  if [ -n "$SKIP_SETUP" ]; then
+    step "Setting up (skipped)" setup.log true
+  else
+    step "Setting up" setup.log "$project/Utilities/setup.sh" "$@"
+  fi
+}
+
+# The preset's name, then what else CMake is to know. CMake reads presets in the project's folder.
+configure()
+{
+  (cd "$project" && cmake --preset "$1" -B "$build" "${@:2}")
+}
+
+# A command with an X server of its own. -noreset: else the server may end between two clients.
+with_display()
+{
+  xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$@"
+}
+
+minutes()
+{
+  printf '%d min %d s' "$((SECONDS / 60))" "$((SECONDS % 60))"
+}

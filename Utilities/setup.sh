@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# usage: Utilities/setup.sh [--plain-vtk]
+#
+# Installs what building, testing and the demo need on Debian 12 and is not there yet; does nothing
+# if all of it is there. --plain-vtk: also what Utilities/test-plain-vtk.sh needs.
+# Takes sudo if it is not run as root. On other systems: install the like of the packages below.
+set -euo pipefail
+
+packages=(
+  # build
+  ca-certificates cmake g++ git ninja-build
+  libcgal-dev libeigen3-dev libopenblas-dev libsuitesparse-dev
+  # ParaView 5.11 with its VTK 9.2, its Python, and the MPI its CMake package asks for
+  libopenmpi-dev paraview paraview-dev python3-paraview
+  # headers that VTK's rendering modules ask for; the tests compare pictures
+  libfreetype-dev libgl-dev libglew-dev libjpeg-dev libopengl-dev libpng-dev libx11-dev libxext-dev
+  # a screen for tests and demo: X server, software OpenGL, icons, window manager, pictures of it
+  libgl1-mesa-dri libqt5svg5 openbox x11-apps xauth xdotool xvfb
+  python3-numpy python3-pil
+  # Benchmarks/
+  libbenchmark-dev)
+
+case ${1:-} in
+  "") ;;
+  --plain-vtk)
+    # The run-time half of VTK 9.1 brings the libraries it depends on. Its other half, libvtk9-dev,
+    # cannot be installed beside ParaView's Python: the test unpacks it into the build folder. The
+    # headers are those its CMake package asks for.
+    packages+=(libvtk9.1 libvtk9.1-qt
+      libdouble-conversion-dev libjsoncpp-dev liblz4-dev liblzma-dev libtbb-dev libutfcpp-dev)
+    ;;
+  *)
+    echo "usage: Utilities/setup.sh [--plain-vtk]" >&2
+    exit 2
+    ;;
+esac
+
+give_up()
+{
+  printf '%s\n' "$@" >&2
+  echo "To go on without this script set SKIP_SETUP=1; it installs:" >&2
+  printf '%s\n' "${packages[*]}" | fold -s -w 100 | sed 's/^/  /' >&2
+  exit 1
+}
+
+command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||
+  give_up "This script knows Debian 12 and its apt-get, which is not here."
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query --show --showformat '${db:Status-Status}' "$package" 2>/dev/null) || true
+  # dpkg-query says it once for each architecture that the package is installed for.
+  [[ $status == installed* ]] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  echo "Nothing to install."
+  exit 0
+fi
+
+release=$(. /etc/os-release 2>/dev/null && echo "${ID:-?} ${VERSION_ID:-?}") ||
+  release="unknown system"
+[ "$release" = "debian 12" ] ||
+  give_up "This script knows Debian 12; here is: $release. Missing: ${missing[*]}"
+
+sudo=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null ||
+    give_up "Installing packages needs root: run Utilities/setup.sh as root, or install sudo."
+  sudo=(sudo)
+fi
+apt_get()
+{
+  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get -qq -o DPkg::Lock::Timeout=600 -o Dpkg::Use-Pty=0 "$@"
+}
+
+echo "Installing: ${missing[*]}"
+apt_get update || give_up "apt-get update failed. Is there a network, and is apt set up?"
+apt_get install -y --no-install-recommends "${missing[@]}" </dev/null ||
+  give_up "apt-get could not install: ${missing[*]}"

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# usage: Utilities/test.sh [-v] [OPTIONS OF ctest]
+#
+# Installs what is missing, builds, runs all tests: on a fresh clone or again at any time.
+#   Utilities/test.sh -L Solver    only the tests with that label
+#   Utilities/test.sh -v           show everything (the same as VERBOSE=1)
+# BUILD_DIR=... builds elsewhere than in build/.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+ctest_options=()
+for option in "$@"; do
+  case $option in
+    -h | --help)
+      sed -n '5,/^[^#]/{s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"
+      exit 0
+      ;;
+    -v) VERBOSE=1 ;;
+    *) ctest_options+=("$option") ;;
+  esac
+done
+
+step_count=4
+set_up
+step "Configuring" configure.log configure release -DSPHERICALSTYLE_BUILD_TESTING=ON
+step "Building" build.log cmake --build "$build"
+step "Testing" test.log \
+  ctest --test-dir "$build" --output-on-failure --no-tests=error "${ctest_options[@]}"
+echo "$(grep 'tests passed' "$build/test.log") in $(minutes), logs: $build/*.log"
