@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where the time of vtkSphericalStyleFilter goes: first result, moved centre, changed Roundness.
+
+usage: measure_stages.py [--runs N] [--detail-size S] [MESH.ply or MESH.vtp ...]
+
+Medians of N runs in milliseconds, default settings but the detail size; without a mesh the models
+of Data/. Run with PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3.
+"""
+import argparse
+import glob
+import os
+import statistics
+import time
+
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+from sphericalstyle import vtkSphericalStyleFilter
+
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data")
+
+
+def read(path):
+    reader = vtkPLYReader() if path.endswith(".ply") else vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def milliseconds(f):
+    begin = time.perf_counter()
+    f.Update()
+    return 1e3 * (time.perf_counter() - begin)
+
+
+def one_run(surface, detail_size):
+    """First, moved centre, changed Roundness, then the stages of the first."""
+    f = vtkSphericalStyleFilter()
+    f.SetInputData(surface)
+    f.SetDetailSize(detail_size)
+    first = milliseconds(f)
+    iterations = f.GetNumberOfIterations()
+    stages = f.GetOutputDataObject(1).GetFieldData().GetArray("StageSeconds")
+    seconds = [1e3 * stages.GetComponent(0, k) for k in range(stages.GetNumberOfComponents())]
+    f.SetCenter(*(x + 0.1 * f.GetEffectiveRadius() for x in f.GetEffectiveCenter()))
+    f.SetCenterModeToCustom()
+    moved = milliseconds(f)
+    f.SetRoundness(2.0 * f.GetRoundness())
+    return [first, moved, milliseconds(f), *seconds, iterations]
+
+
+parser = argparse.ArgumentParser()
+parser.add_argument("--runs", type=int, default=5)
+parser.add_argument("--detail-size", type=float, default=0.0)
+parser.add_argument("meshes", nargs="*")
+arguments = parser.parse_args()
+heads = ["first", "centre", "lambda", "base", "weights", "analyze", "factor", "iterate", "iterations"]
+print(f"{'mesh':20s} {'points':>8s} " + " ".join(f"{h:>10s}" for h in heads))
+for path in arguments.meshes or sorted(glob.glob(os.path.join(DATA, "*.vtp"))):
+    surface = read(path)
+    runs = [one_run(surface, arguments.detail_size) for _ in range(arguments.runs)]
+    medians = [statistics.median(column) for column in zip(*runs)]
+    name = os.path.splitext(os.path.basename(path))[0]
+    print(f"{name:20s} {surface.GetNumberOfPoints():8d} " + " ".join(f"{m:10.1f}" for m in medians))
