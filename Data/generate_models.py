@@ -49,8 +49,8 @@ def WriteModel(name, polyData):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(os.path.join(FOLDER, name))
     writer.SetInputData(polyData)
-    writer.SetDataModeToAppended()
-    writer.EncodeAppendedDataOff()
+    # Inline base64: raw appended data is no XML, and readers with a strict expat refuse it.
+    writer.SetDataModeToBinary()
     writer.SetCompressorTypeToZLib()
     writer.SetCompressionLevel(9)
     writer.SetIdTypeToInt32()
