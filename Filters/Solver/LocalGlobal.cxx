@@ -43,36 +43,51 @@ bool Stops(const LoopOptions& options, const HistoryRow& row)
 }
 }
 
-double EstimateGap(const std::vector<double>& energies, double restEnergy)
+namespace
+{
+/// E_k - E* from the first `size` energies, times a safety factor; see EstimateGap.
+double EstimateRest(const std::vector<double>& energies, std::size_t size)
 {
   constexpr double Safety = 3.0;
   constexpr double Ratio = 1.5;
-  const double count = static_cast<double>(energies.size());
-  if (count < 3.0)
-  {
-    return Unknown;
-  }
   // Between two iterations E is taken linear in log k.
   const auto energyAt = [&energies](double x)
   {
     const std::size_t i = static_cast<std::size_t>(x);
-    const double weight = i < energies.size() ? std::log(x / i) / std::log((i + 1.0) / i) : 0.0;
+    const double weight = std::log(x / i) / std::log((i + 1.0) / i);
     return weight > 0.0 ? (1.0 - weight) * energies[i - 1] + weight * energies[i] : energies[i - 1];
   };
+  const double count = static_cast<double>(size);
   const double middle = energyAt(count / Ratio);
-  const double last = energies.back();
   const double earlier = energyAt(count / (Ratio * Ratio)) - middle;
-  const double later = middle - last;
+  const double later = middle - energies[size - 1];
   if (!(later > 0.0))
   {
     return 0.0; // nothing moved any more
   }
-  if (!(earlier > later))
+  return earlier > later ? Safety * later * later / (earlier - later)
+                         : std::numeric_limits<double>::infinity();
+}
+}
+
+double EstimateGap(const std::vector<double>& energies, double restEnergy)
+{
+  const std::size_t size = energies.size();
+  if (size < 3)
   {
-    return std::numeric_limits<double>::infinity();
+    return Unknown;
   }
-  const double above = Safety * later * later / (earlier - later); // E - E*
-  return above / (restEnergy - last + above);
+  double above = EstimateRest(energies, size); // E_k - E*
+  if (size > 3)
+  {
+    above = std::max(above, EstimateRest(energies, size - 1));
+  }
+  const double whole = restEnergy - energies.back() + above; // E_0 - E*
+  if (std::isinf(above))
+  {
+    return above;
+  }
+  return whole > 0.0 ? above / whole : Unknown;
 }
 
 LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double restEnergy,

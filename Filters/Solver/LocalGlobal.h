@@ -43,7 +43,7 @@ struct LoopReport
   int iterations = 0;
   bool converged = false;
   bool aborted = false;
-  double restEnergy = 0.0; ///< E_0: only fixed points moved, every rotation the identity
+  double restEnergy = 0.0; ///< E_0: the unmoved model; with fixed points, of the blend if more
   std::vector<HistoryRow> history;
 };
 

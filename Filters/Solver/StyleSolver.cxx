@@ -43,6 +43,7 @@ void CheckOptions(const StyleOptions& o, int n)
   Require(o.normalBlend >= 0.0 && o.normalBlend <= 1.0, "the normal blend a must lie in 0..1");
   Require(o.detailSize >= 0.0 && std::isfinite(o.detailSize), "the detail size must be 0 or more");
   Require(o.loop.tolerance > 0.0, "the tolerance must be above zero");
+  Require(o.loop.maximumNumberOfIterations >= 0, "the number of iterations must be 0 or more");
   const auto sized = [n](Eigen::Index rows) { return rows == 0 || rows == n; };
   Require(sized(o.roundnessFactors.size()), "one roundness factor per point is needed");
   Require(sized(o.normalBlends.size()), "one normal blend per point is needed");
@@ -386,7 +387,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   s.UpdateGlobal(options.fixedPoints);
   s.StartFromRest(options);
   LinearFeature problem(s.Energy, s.Global, s.R, s.P, s.RestMeans, options.anchor);
-  const double restEnergy = s.Energy.Evaluate(s.Q, s.R).Total();
+  double restEnergy = s.Energy.Evaluate(s.P, s.R).Total();
 
   // Without details the blend is not only the start but the minimum, as long as the weights are
   // positive semidefinite in every triangle: nothing needs to be solved.
@@ -405,6 +406,13 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     s.FactorGlobal(report);
   }
   const Stopwatch iterate;
+  if (!options.fixedPoints.empty())
+  {
+    // Held points can lie anywhere: what is to be gained is then measured from the blend too.
+    Points blend = s.Q;
+    problem.SolveGlobal(blend);
+    restEnergy = std::max(restEnergy, s.Energy.Evaluate(blend, s.R).Total());
+  }
   if (closedForm)
   {
     s.StartFromBlend(report.sphere.radius);

@@ -43,7 +43,7 @@ Sphere TargetSphere(
   const Points& P, const Triangles& F, CenterMode center, RadiusMode radius, const Sphere& custom);
 
 /// d_i = (p_i - O) / |p_i - O| (Eq. 4.4). A point within 1e-12 diagonals of O has no direction: it
-/// takes the mean of its neighbours' (zero when they surround it evenly).
+/// takes the mean over the other corners of its triangles (zero when they surround it evenly).
 /// @param onCenter  those points, ascending
 Points CenterDirections(const Points& P, const MeshTopology& topology, const Eigen::Vector3d& O,
   std::vector<int>& onCenter);
