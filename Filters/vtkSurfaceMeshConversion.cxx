@@ -45,6 +45,17 @@ constexpr double SmallestAngle = 1e-10;
   throw std::invalid_argument(message.str());
 }
 
+void CheckPointId(vtkIdType cell, vtkIdType i, vtkIdType numberOfPoints)
+{
+  if (i < 0 || i >= numberOfPoints)
+  {
+    std::ostringstream message;
+    message << "Cells: cell " << cell << " names point " << i << ", the input has "
+            << numberOfPoints;
+    Refuse(message);
+  }
+}
+
 /// Calls triangle(cell, a, b, c) for every triangle of the faces of a vtkPolyData.
 class FaceTriangles
 {
@@ -101,8 +112,10 @@ private:
     this->Polygon->PointIds->SetNumberOfIds(size);
     this->Polygon->Points->SetDataTypeToDouble();
     this->Polygon->Points->SetNumberOfPoints(size);
+    const vtkIdType points = this->Input->GetNumberOfPoints();
     for (vtkIdType i = 0; i < size; ++i)
     {
+      CheckPointId(cell, ids[i], points);
       this->Polygon->PointIds->SetId(i, i);
       this->Polygon->Points->SetPoint(i, this->Input->GetPoints()->GetPoint(ids[i]));
     }
@@ -146,6 +159,19 @@ Points InputPoints(vtkPolyData* input)
     ++i;
   }
   return x;
+}
+
+/// Active normals are recomputed one by one, so there must be one per point or cell.
+void CheckNormals(vtkDataSetAttributes* attributes, vtkIdType number, const char* what)
+{
+  vtkDataArray* normals = attributes->GetNormals();
+  if (normals && normals->GetNumberOfTuples() != number)
+  {
+    std::ostringstream message;
+    message << "Normals: array \"" << (normals->GetName() ? normals->GetName() : "") << "\" has "
+            << normals->GetNumberOfTuples() << " tuples for " << number << " " << what;
+    Refuse(message);
+  }
 }
 
 /// One point at the place of each point, the same for all that coincide.
@@ -290,7 +316,8 @@ void ReplaceCellNormals(vtkPolyData* output)
     output->GetCellPoints(cell, ids);
     const int type = output->GetCellType(cell);
     const bool strip = type == VTK_TRIANGLE_STRIP;
-    if (strip || type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON)
+    const bool face = strip || type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON;
+    if (face && ids->GetNumberOfIds() >= 3)
     {
       vtkPolygon::ComputeNormal(output->GetPoints(),
         static_cast<int>(strip ? 3 : ids->GetNumberOfIds()), ids->GetPointer(0), normal);
@@ -310,6 +337,8 @@ namespace vtkSurfaceMeshConversion
 {
 vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld)
 {
+  CheckNormals(input->GetPointData(), input->GetNumberOfPoints(), "points");
+  CheckNormals(input->GetCellData(), input->GetNumberOfCells(), "cells");
   Points x = InputPoints(input);
   const std::vector<vtkIdType> first = Representatives(x, weld);
 
@@ -321,6 +350,10 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld)
   faces.Visit(
     [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
     {
+      for (const vtkIdType i : { a, b, c })
+      {
+        CheckPointId(cell, i, x.rows());
+      }
       if (!IsDegenerate(x, { first[a], first[b], first[c] }))
       {
         triangles.push_back({ a, b, c });

@@ -99,6 +99,32 @@ void Coordinates(Checker& check)
         { MovePoint(input, i, static_cast<int>(i % 3), good[i % 3]); });
     }
   }
+  for (const vtkIdType bad :
+    { vtkIdType(-1), MakeModel()->GetNumberOfPoints(), vtkIdType(1) << 40 })
+  {
+    vtkNew<vtkCellArray> faces;
+    ExpectError(
+      check, "a cell with point id " + Text(bad), { "cell 3 ", "point " + Text(bad) },
+      [&](vtkSphericalStyleFilter*, vtkPolyData* input)
+      {
+        faces->DeepCopy(input->GetPolys());
+        const vtkIdType ids[] = { 0, 1, bad };
+        input->GetPolys()->ReplaceCellAtId(3, 3, ids);
+      },
+      [&](vtkSphericalStyleFilter*, vtkPolyData* input) { input->SetPolys(faces); });
+  }
+  ExpectError(
+    check, "too few active normals", { "Normals", "\"few\"", "7 tuples" },
+    [](vtkSphericalStyleFilter*, vtkPolyData* input)
+    {
+      vtkNew<vtkDoubleArray> few;
+      few->SetName("few");
+      few->SetNumberOfComponents(3);
+      few->SetNumberOfTuples(7);
+      input->GetPointData()->SetNormals(few);
+    },
+    [](vtkSphericalStyleFilter*, vtkPolyData* input)
+    { input->GetPointData()->RemoveArray("few"); });
   Vector good[2];
   ExpectError(
     check, "two bad points", { "point 11 " },
@@ -380,7 +406,7 @@ void Abort(Checker& check, vtkPolyData* model, double progress)
   check.About("abort at " + vtkVariant(progress).ToString());
   WatchedFilter filter(model);
   filter->SetStopRuleToFixedIterations();
-  filter->SetMaximumNumberOfIterations(1000000); // hours
+  filter->SetMaximumNumberOfIterations(10000); // minutes
   vtkNew<vtkCallbackCommand> command;
   AbortAt at{ progress };
   command->SetClientData(&at);

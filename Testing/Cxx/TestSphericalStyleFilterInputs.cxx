@@ -3,10 +3,7 @@
 /// Every kind of input that people have: what comes out, and that the input stays as it was.
 #include "FilterTesting.h"
 
-#include "vtkFloatArray.h"
-
 #include <sstream>
-#include <type_traits>
 
 using namespace FilterTesting;
 
@@ -111,10 +108,17 @@ void Strips(Checker& check)
   check.About("strips");
   const Surface strips = MakeEllipsoid(LongAxes, Faces::Strips);
   check(strips->GetNumberOfStrips() == 8, "the test should have strips");
-  const Surface output = CheckRound(check, strips);
-  const Surface same = CheckRound(check, MakeEllipsoid(LongAxes, Faces::Triangles));
-  check.AtMost(LargestDistance(output, same), 1e-12 * Diagonal(strips),
-    "difference between strips and the same triangles");
+  CheckRound(check, strips);
+  for (const double blend : { 0.0, 1.0 }) // with normals the sense of every triangle counts
+  {
+    WatchedFilter filter;
+    filter->SetNormalBlend(blend);
+    vtkPolyData* output = CheckSound(check, filter, strips);
+    WatchedFilter same(MakeEllipsoid(LongAxes, Faces::Triangles));
+    same->SetNormalBlend(blend);
+    check.AtMost(LargestDistance(output, same.Output()), 1e-12 * Diagonal(strips),
+      "difference between strips and the same triangles");
+  }
 }
 
 void PlanarPolygons(Checker& check)
@@ -571,7 +575,6 @@ void FactsOfEmptyExecution(Checker& check)
 void CenterOnPoint(Checker& check)
 {
   const Surface input = MakeEllipsoid(LongAxes);
-  const vtkIdType n = input->GetNumberOfPoints();
   for (const double blend : { 0.0, 0.5 })
   {
     check.About("centre on point 17");
@@ -583,8 +586,7 @@ void CenterOnPoint(Checker& check)
     check(filter.Warnings.size() == 1 && Contains(filter.Warnings[0], "centre") &&
         Contains(filter.Warnings[0], "point 17;"),
       "one warning should name the centre and point 17");
-    Surface first = output->NewInstance();
-    first->UnRegister(nullptr);
+    const auto first = Surface::New();
     first->DeepCopy(output);
     filter->Modified();
     check(SamePoints(first, filter.Output()), "the result should be defined: same bits again");
@@ -600,10 +602,9 @@ void CenterOnPoint(Checker& check)
   check(filter.Warnings.size() == 1 && Contains(filter.Warnings[0], "point 2;"),
     "one warning should name point 2, the first");
   check(SamePoint(output, 2, output, 5), "the two should stay together");
-  check(n > 17, "the test should have a point 17");
 }
 
-/// The result of the model scaled by `scale`, in a double model, scaled back.
+/// The result of a scaled model, scaled back, is that of the model.
 void Scales(Checker& check)
 {
   const Surface quads = MakeEllipsoid(LongAxes, Faces::Quads);

@@ -111,7 +111,7 @@ void ToCurvatures(Checker& check, int argc, char* argv[])
 void IntersectionWithModel(Checker& check, int argc, char* argv[])
 {
   check.About("filter -> vtkIntersectionPolyDataFilter with the model");
-  for (const char* name : { "go-stone.vtp", "cuboid.vtp" })
+  for (const char* name : { "creature.vtp", "icosahedron.vtp", "cuboid.vtp" })
   {
     const Surface model = ReadModel(argc, argv, name);
     WatchedFilter filter(model);
