@@ -123,9 +123,9 @@ struct vtkSphericalStyleFilter::Internals
   static SphericalStyle::StyleOptions MakeOptions(
     vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, vtkInformationVector** input);
   static bool Aborted(vtkSphericalStyleFilter* self);
-  void Warn(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
-    const SphericalStyle::StyleReport& report) const;
-  void SetFacts(vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const;
+  static void Warn(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
+    const SphericalStyle::StyleReport& report);
+  static void SetFacts(vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report);
   void AttachArrays(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
     vtkPolyData* input, vtkPolyData* output) const;
 };
@@ -238,7 +238,7 @@ bool vtkSphericalStyleFilter::Internals::Aborted(vtkSphericalStyleFilter* self)
 }
 
 void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
-  const vtkSurfaceMesh& surface, const SphericalStyle::StyleReport& report) const
+  const vtkSurfaceMesh& surface, const SphericalStyle::StyleReport& report)
 {
   const auto warn = [self](const std::string& text) { vtkWarningWithObjectMacro(self, << text); };
   const bool solved = surface.Mesh.F.rows() > 0;
@@ -262,7 +262,7 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
   }
   if (!report.pointsOnCenter.empty())
   {
-    const vtkIdType n = static_cast<vtkIdType>(report.pointsOnCenter.size());
+    const auto n = static_cast<vtkIdType>(report.pointsOnCenter.size());
     warn("no direction from the centre for " + count(n, "point") + " on it, the first is point " +
       std::to_string(surface.FirstInputPoint(report.pointsOnCenter.front())) +
       "; the mean of the neighbours' directions is taken");
@@ -275,7 +275,7 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
 }
 
 void vtkSphericalStyleFilter::Internals::SetFacts(
-  vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const
+  vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report)
 {
   const SphericalStyle::LoopReport& loop = report.loop;
   self->NumberOfIterations = loop.iterations;
@@ -358,7 +358,7 @@ int vtkSphericalStyleFilter::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   SphericalStyle::StyleReport report;
-  this->Internal->SetFacts(this, report);
+  Internals::SetFacts(this, report);
   if (!input || input->GetNumberOfPoints() == 0)
   {
     return 1;
@@ -396,8 +396,8 @@ int vtkSphericalStyleFilter::RequestData(
     output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);
   this->Internal->AttachArrays(this, surface, input, output);
   FillHistory(history, report);
-  this->Internal->Warn(this, surface, report);
-  this->Internal->SetFacts(this, report);
+  Internals::Warn(this, surface, report);
+  Internals::SetFacts(this, report);
   return 1;
 }
 

@@ -21,8 +21,8 @@ bool AndersonAcceleration::Mix(const Points& x, const Points& g, Points& mixed)
     this->ResidualSteps.erase(this->ResidualSteps.begin());
     this->ImageSteps.erase(this->ImageSteps.begin());
   }
-  this->ResidualSteps.push_back(residual - this->LastResidual);
-  this->ImageSteps.push_back(g - this->LastImage);
+  this->ResidualSteps.emplace_back(residual - this->LastResidual);
+  this->ImageSteps.emplace_back(g - this->LastImage);
   this->LastResidual = residual;
   this->LastImage = g;
 

@@ -3,51 +3,40 @@
 #include "EdgeMatrix.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace SphericalStyle
 {
-EdgeMatrix::EdgeMatrix(const MeshTopology& topology, const std::vector<char>& fixed)
+namespace
 {
-  const int n = topology.GetNumberOfPoints();
-  this->Rows.assign(n, -1);
-  int rows = 0;
-  for (int i = 0; i < n; ++i)
-  {
-    if (!fixed[i])
-    {
-      this->Rows[i] = rows++;
-    }
-  }
+/// A half-edge that adds below the diagonal.
+struct Entry
+{
+  int row;
+  int halfEdge;
+};
 
-  // Entries below the diagonal, column by column.
-  const Triangles& F = topology.GetTriangles();
-  struct Entry
-  {
-    int row;
-    int halfEdge;
-  };
-  std::vector<int> count(rows + 1, 0);
+/// Entries column by column, rows ascending: those of column c at [offset[c], offset[c + 1]).
+std::vector<Entry> SortEntries(
+  const Triangles& F, const std::vector<int>& rows, std::vector<int>& offset)
+{
+  const int halfEdges = static_cast<int>(F.size());
   const auto ends = [&](int h)
   {
-    const int f = h / 3;
-    const int k = h % 3;
-    return std::minmax({ this->Rows[F(f, HalfEdgeStart(k))], this->Rows[F(f, HalfEdgeEnd(k))] });
+    return std::minmax(
+      { rows[F(h / 3, HalfEdgeStart(h % 3))], rows[F(h / 3, HalfEdgeEnd(h % 3))] });
   };
-  const int halfEdges = static_cast<int>(F.size());
   for (int h = 0; h < halfEdges; ++h)
   {
     if (ends(h).first >= 0)
     {
-      ++count[ends(h).first + 1];
+      ++offset[ends(h).first + 1];
     }
   }
-  for (int c = 0; c < rows; ++c)
-  {
-    count[c + 1] += count[c];
-  }
-  std::vector<Entry> entries(count[rows]);
-  std::vector<int> next(count.begin(), count.end() - 1);
+  std::partial_sum(offset.begin(), offset.end(), offset.begin());
+  std::vector<Entry> entries(offset.back());
+  std::vector<int> next(offset.begin(), offset.end() - 1);
   for (int h = 0; h < halfEdges; ++h)
   {
     if (ends(h).first >= 0)
@@ -55,9 +44,40 @@ EdgeMatrix::EdgeMatrix(const MeshTopology& topology, const std::vector<char>& fi
       entries[next[ends(h).first]++] = { ends(h).second, h };
     }
   }
+  for (std::size_t c = 0; c + 1 < offset.size(); ++c)
+  {
+    std::sort(entries.begin() + offset[c], entries.begin() + offset[c + 1],
+      [](const Entry& a, const Entry& b)
+      { return std::make_pair(a.row, a.halfEdge) < std::make_pair(b.row, b.halfEdge); });
+  }
+  return entries;
+}
+}
 
-  this->HalfEdgeSlots.assign(halfEdges, { -1, -1, -1 });
+EdgeMatrix::EdgeMatrix(const MeshTopology& topology, const std::vector<char>& fixed)
+{
+  this->NumberRows(fixed);
+  this->BuildPattern(topology.GetTriangles());
+}
+
+void EdgeMatrix::NumberRows(const std::vector<char>& fixed)
+{
+  int rows = 0;
+  this->Rows.assign(fixed.size(), -1);
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+  {
+    this->Rows[i] = fixed[i] ? -1 : rows++;
+  }
   this->DiagonalSlots.resize(rows);
+}
+
+void EdgeMatrix::BuildPattern(const Triangles& F)
+{
+  const int rows = this->GetNumberOfRows();
+  std::vector<int> offset(rows + 1, 0);
+  const std::vector<Entry> entries = SortEntries(F, this->Rows, offset);
+
+  this->HalfEdgeSlots.assign(F.size(), { -1, -1, -1 });
   std::vector<int> outer(rows + 1, 0);
   std::vector<int> inner;
   inner.reserve(entries.size() / 2 + rows);
@@ -65,25 +85,22 @@ EdgeMatrix::EdgeMatrix(const MeshTopology& topology, const std::vector<char>& fi
   {
     this->DiagonalSlots[c] = static_cast<int>(inner.size());
     inner.push_back(c);
-    const auto first = entries.begin() + count[c];
-    const auto last = entries.begin() + count[c + 1];
-    std::sort(first, last,
-      [](const Entry& a, const Entry& b)
-      { return std::make_pair(a.row, a.halfEdge) < std::make_pair(b.row, b.halfEdge); });
-    for (auto entry = first; entry != last; ++entry)
+    for (int at = offset[c]; at < offset[c + 1]; ++at)
     {
-      if (entry == first || entry->row != (entry - 1)->row)
+      if (entries[at].row != inner.back())
       {
-        inner.push_back(entry->row);
+        inner.push_back(entries[at].row);
       }
-      this->HalfEdgeSlots[entry->halfEdge].below = static_cast<int>(inner.size()) - 1;
+      this->HalfEdgeSlots[entries[at].halfEdge].below = static_cast<int>(inner.size()) - 1;
     }
     outer[c + 1] = static_cast<int>(inner.size());
   }
-  for (int h = 0; h < halfEdges; ++h)
+  for (std::size_t h = 0; h < this->HalfEdgeSlots.size(); ++h)
   {
-    const int start = this->Rows[F(h / 3, HalfEdgeStart(h % 3))];
-    const int end = this->Rows[F(h / 3, HalfEdgeEnd(h % 3))];
+    const auto f = static_cast<Eigen::Index>(h / 3);
+    const int k = static_cast<int>(h % 3);
+    const int start = this->Rows[F(f, HalfEdgeStart(k))];
+    const int end = this->Rows[F(f, HalfEdgeEnd(k))];
     this->HalfEdgeSlots[h].start = start < 0 ? -1 : this->DiagonalSlots[start];
     this->HalfEdgeSlots[h].end = end < 0 ? -1 : this->DiagonalSlots[end];
   }

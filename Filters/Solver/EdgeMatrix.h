@@ -19,7 +19,7 @@ public:
   /// @param fixed  n flags: points whose rows are removed
   EdgeMatrix(const MeshTopology& topology, const std::vector<char>& fixed);
 
-  int GetNumberOfRows() const { return static_cast<int>(this->A.rows()); }
+  int GetNumberOfRows() const { return static_cast<int>(this->DiagonalSlots.size()); }
   /// Row of each point, -1 for a fixed one.
   const std::vector<int>& GetRows() const { return this->Rows; }
 
@@ -27,6 +27,9 @@ public:
   const SparseCholesky::Matrix& Assemble(const HalfEdgeScalars& k, const Eigen::VectorXd& d = {});
 
 private:
+  void NumberRows(const std::vector<char>& fixed);
+  void BuildPattern(const Triangles& F);
+
   SparseCholesky::Matrix A;
   std::vector<int> Rows;
   // Per half-edge: where k adds on the diagonal (start, end) and below it; -1 for nowhere.

@@ -53,11 +53,11 @@ double EstimateRest(const std::vector<double>& energies, std::size_t size)
   // Between two iterations E is taken linear in log k.
   const auto energyAt = [&energies](double x)
   {
-    const std::size_t i = static_cast<std::size_t>(x);
+    const auto i = static_cast<std::size_t>(x);
     const double weight = std::log(x / i) / std::log((i + 1.0) / i);
     return weight > 0.0 ? (1.0 - weight) * energies[i - 1] + weight * energies[i] : energies[i - 1];
   };
-  const double count = static_cast<double>(size);
+  const auto count = static_cast<double>(size);
   const double middle = energyAt(count / Ratio);
   const double earlier = energyAt(count / (Ratio * Ratio)) - middle;
   const double later = middle - energies[size - 1];

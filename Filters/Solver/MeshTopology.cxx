@@ -51,8 +51,8 @@ int Root(std::vector<int>& parent, int i)
 }
 }
 
-MeshTopology::MeshTopology(const Triangles& triangles, int numberOfPoints)
-  : F(triangles)
+MeshTopology::MeshTopology(const Triangles& F, int numberOfPoints)
+  : F(F)
 {
   const int n = numberOfPoints;
   CheckTriangles(this->F, n);

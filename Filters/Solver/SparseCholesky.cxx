@@ -179,7 +179,7 @@ public:
     {
       throw SolverError("not enough memory to solve the system");
     }
-    const double* x = static_cast<const double*>(this->X->x);
+    const auto* x = static_cast<const double*>(this->X->x);
     std::copy(x, x + B.size(), B.data());
   }
 

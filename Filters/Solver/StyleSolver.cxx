@@ -261,7 +261,7 @@ Points StyleSolver::State::Directions(const StyleOptions& options, StyleReport& 
   {
     return options.targets;
   }
-  const Points d =
+  Points d =
     CenterDirections(this->Base, this->Topology, report.sphere.center, report.pointsOnCenter);
   const Eigen::VectorXd a = options.normalBlends.size() > 0
     ? options.normalBlends

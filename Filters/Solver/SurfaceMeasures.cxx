@@ -116,7 +116,7 @@ Points PointNormals(const Points& P, const Triangles& F)
 double Sphericity(const Points& P, const Triangles& F)
 {
   const double volume = std::abs(EnclosedVolume(P, F));
-  return std::cbrt(EIGEN_PI) * std::pow(6.0 * volume, 2.0 / 3.0) / TriangleAreas(P, F).sum();
+  return std::cbrt(Pi) * std::pow(6.0 * volume, 2.0 / 3.0) / TriangleAreas(P, F).sum();
 }
 
 double RadiusSpread(const Points& P, const Eigen::Vector3d& center)

@@ -26,10 +26,10 @@ Sphere TargetSphere(
   switch (radius)
   {
     case RadiusMode::EqualArea:
-      sphere.radius = std::sqrt(TriangleAreas(P, F).sum() / (4.0 * EIGEN_PI));
+      sphere.radius = std::sqrt(TriangleAreas(P, F).sum() / (4.0 * Pi));
       break;
     case RadiusMode::EqualVolume:
-      sphere.radius = std::cbrt(std::abs(EnclosedVolume(P, F)) * 3.0 / (4.0 * EIGEN_PI));
+      sphere.radius = std::cbrt(std::abs(EnclosedVolume(P, F)) * 3.0 / (4.0 * Pi));
       break;
     case RadiusMode::Custom:
       break;

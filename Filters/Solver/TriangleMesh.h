@@ -24,6 +24,8 @@ using HalfEdgeVectors = Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor
 /// One 3 x 3 matrix per point (rotations R, covariances S).
 using Matrices = std::vector<Eigen::Matrix3d>;
 
+constexpr double Pi = EIGEN_PI;
+
 /// Triangles in space. No orientation, closedness or manifoldness is asked for.
 struct TriangleMesh
 {

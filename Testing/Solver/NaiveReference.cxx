@@ -14,7 +14,6 @@ namespace
 using namespace SphericalStyle;
 using Vector = Eigen::Vector3d;
 
-constexpr double Pi = 3.14159265358979323846;
 
 Vector Row(const Points& x, int i)
 {
