@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pipelines of ParaView: blocks, time steps, a filter after the filter, and the picture.
+
+usage: pvpython TestParaViewPipeline.py SphericalStyle.so DATA -T TEMPORARY -V BASELINE.png
+"""
+import sys
+
+from paraview import servermanager, smtesting
+from paraview.simple import *
+
+plugin, data = sys.argv[1:3]
+smtesting.ProcessCommandLineArguments()
+LoadPlugin(plugin, remote=False, ns=globals())
+
+
+def points(proxy):
+    return servermanager.Fetch(proxy).GetPoints()
+
+
+def bounds(proxy):
+    return proxy.GetDataInformation().GetBounds()
+
+
+# ---------------------------------------------------------------------- blocks keep to themselves
+cube = XMLPolyDataReader(FileName=[data + "/cube.vtp"])
+stone = XMLPolyDataReader(FileName=[data + "/go-stone.vtp"])
+alone = [SphericalStyle(Input=model) for model in (cube, stone)]
+group = GroupDatasets(Input=[cube, stone])
+rounded = SphericalStyle(Input=group)
+UpdatePipeline(proxy=rounded)
+blocks, tables = servermanager.Fetch(rounded), servermanager.Fetch(rounded, idx=1)
+assert blocks.GetNumberOfBlocks() == tables.GetNumberOfBlocks() == 2
+for k in range(2):
+    UpdatePipeline(proxy=alone[k])
+    own = points(alone[k])
+    block = blocks.GetBlock(k).GetPoints()
+    assert own.GetNumberOfPoints() == block.GetNumberOfPoints()
+    assert all(own.GetPoint(i) == block.GetPoint(i) for i in range(own.GetNumberOfPoints()))
+    assert tables.GetBlock(k).GetNumberOfRows() > 0
+
+# --------------------------------------------------------------------- every time step is a model
+moving = ProgrammableSource(
+    OutputDataSetType="vtkPolyData",
+    ScriptRequestInformation="""
+executive = self.GetExecutive()
+information = executive.GetOutputInformation(0)
+information.Set(executive.TIME_STEPS(), [1.0, 2.0, 3.0], 3)
+information.Set(executive.TIME_RANGE(), [1.0, 3.0], 2)
+""",
+    Script="""
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+executive = self.GetExecutive()
+time = executive.GetOutputInformation(0).Get(executive.UPDATE_TIME_STEP())
+source, stretch, transform = vtkSphereSource(), vtkTransform(), vtkTransformPolyDataFilter()
+source.SetThetaResolution(24)
+source.SetPhiResolution(24)
+stretch.Scale(1.0, 1.0, time)
+transform.SetTransform(stretch)
+transform.SetInputConnection(source.GetOutputPort())
+transform.Update()
+self.GetOutput().ShallowCopy(transform.GetOutput())
+""")
+style = SphericalStyle(Input=moving, Roundness=50.0)
+heights = []
+for time in (1.0, 3.0, 2.0, 3.0):
+    UpdatePipeline(time=time, proxy=style)
+    b = bounds(style)
+    heights.append(b[5] - b[4])
+    assert abs((b[1] - b[0]) / (b[5] - b[4]) - 1.0) < 0.05, (time, b)
+assert heights[1] == heights[3] and heights[0] < heights[2] < heights[1], heights
+
+# ------------------------------------------------------------- filter after filter, and the picture
+model = XMLPolyDataReader(FileName=[data + "/creature.vtp"])
+UpdatePipeline(proxy=model)
+first = SphericalStyle(Input=model, Roundness=0.5, DetailSize=0.03, GenerateNormals=1)
+second = SphericalStyle(Input=first, Roundness=2.0, DetailSize=0.03)
+view = CreateRenderView(ViewSize=[600, 240], UseColorPaletteForBackground=0,
+                        Background=[1.0, 1.0, 1.0], OrientationAxesVisibility=0)
+for place, proxy in enumerate((model, first, second)):
+    display = Show(proxy, view)
+    display.ColorArrayName = ["POINTS", ""]
+    display.AmbientColor = display.DiffuseColor = [0.88, 0.62, 0.47]
+    display.Position = [1.0 * place, 0.0, 0.0]
+Render(view)  # the first one resets the camera
+view.CameraPosition, view.CameraFocalPoint = [1.0, 0.9, 4.4], [1.0, 0.5, 0.0]
+view.CameraViewUp, view.CameraViewAngle = [0.0, 1.0, 0.0], 16.0
+Render(view)
+if not smtesting.DoRegressionTesting(view.SMProxy):
+    sys.exit("Failed Image Test")
