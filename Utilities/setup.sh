@@ -17,11 +17,9 @@ packages=(
   libopenmpi-dev paraview paraview-dev python3-paraview
   # headers that VTK's rendering modules ask for; the tests compare pictures
   libfreetype-dev libgl-dev libglew-dev libjpeg-dev libopengl-dev libpng-dev libx11-dev libxext-dev
-  # a screen for tests and demo: X server, software OpenGL, icons, window manager, pictures of it
-  libgl1-mesa-dri libqt5svg5 openbox x11-apps xauth xdotool xvfb
-  python3-numpy python3-pil
-  # Benchmarks/
-  libbenchmark-dev)
+  # a screen for tests and demo: X server, software OpenGL, icons
+  libgl1-mesa-dri libqt5svg5 xauth xvfb
+  python3-numpy python3-pil)
 
 case ${1:-} in
   "") ;;
