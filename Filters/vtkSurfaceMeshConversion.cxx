@@ -109,15 +109,24 @@ private:
   /// Cuts a polygon into triangles (positions in the polygon, three by three).
   void Cut(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
   {
-    this->Polygon->PointIds->SetNumberOfIds(size);
-    this->Polygon->Points->SetDataTypeToDouble();
-    this->Polygon->Points->SetNumberOfPoints(size);
     const vtkIdType points = this->Input->GetNumberOfPoints();
+    Points corners(size, 3);
     for (vtkIdType i = 0; i < size; ++i)
     {
       CheckPointId(cell, ids[i], points);
+      this->Input->GetPoints()->GetPoint(ids[i], corners.row(i).data());
+    }
+    // Around the origin at size 1: the cut must not depend on place and scale.
+    corners.rowwise() -= corners.row(0).eval();
+    const double largest = corners.cwiseAbs().maxCoeff();
+    corners /= largest > 0.0 ? largest : 1.0;
+    this->Polygon->PointIds->SetNumberOfIds(size);
+    this->Polygon->Points->SetDataTypeToDouble();
+    this->Polygon->Points->SetNumberOfPoints(size);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
       this->Polygon->PointIds->SetId(i, i);
-      this->Polygon->Points->SetPoint(i, this->Input->GetPoints()->GetPoint(ids[i]));
+      this->Polygon->Points->SetPoint(i, corners.row(i).data());
     }
     this->Cuts->Reset();
     if (this->Polygon->Triangulate(this->Cuts) && this->Cuts->GetNumberOfIds() == 3 * (size - 2))
