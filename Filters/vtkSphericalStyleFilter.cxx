@@ -169,9 +169,10 @@ vtkDataArray* vtkSphericalStyleFilter::Internals::FindArray(
   vtkInformation* wanted = self->GetInputArrayInformation(index);
   const char* name = wanted->Get(vtkDataObject::FIELD_NAME());
   const bool byName = name && *name && std::string(name) != "None";
-  if (name && !byName)
+  if (name && !byName) // unset, or set back to "None" by a user interface
   {
-    return nullptr;
+    vtkPointData* arrays = vtkPolyData::GetData(input[0], 0)->GetPointData();
+    return index == NORMALS ? arrays->GetNormals() : nullptr;
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* array = self->GetInputArrayToProcess(index, input, association);

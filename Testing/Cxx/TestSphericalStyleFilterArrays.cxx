@@ -426,6 +426,13 @@ void GivenNormals(Checker& check)
   check.AtMost(
     LargestDifference(filter.Output()->GetPointData()->GetArray("TargetDirection"), expected),
     Rounding, "active normals, difference to them at length 1");
+  for (const char* unset : { "", "None" })
+  {
+    filter->SetInputArrayToProcess(0, 0, 0, OfPoints, unset);
+    check.AtMost(
+      LargestDifference(filter.Output()->GetPointData()->GetArray("TargetDirection"), expected),
+      Rounding, "name unset again, difference to the active normals");
+  }
   input->GetPointData()->SetActiveNormals(nullptr);
   input->GetPointData()->SetNormals(nullptr);
   input->GetPointData()->AddArray(normals);
