@@ -28,7 +28,8 @@
  *
  * Output port 1: vtkTable, one row for the start and one per iteration: Iteration, Total, Rigid,
  * Spherical (energies, length^2), LocalChange, GlobalChange, Residual (Eq. 3.46), Gap (estimated,
- * see Tolerance; NaN while unknown).
+ * see Tolerance; NaN while unknown). Its field data: StageSeconds (Base, Weights, Analyze, Factor,
+ * Iterate) and LinearSolver.
  *
  * Energy [energy], minimised over points p' and rotations R by local and global steps:
  *
