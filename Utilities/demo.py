@@ -206,6 +206,8 @@ def place_camera(renderer, surface, size, up, view):
     distance = size / math.sin(math.radians(0.5 * VIEW_ANGLE))
     camera.SetPosition([c + distance * f for c, f in zip(center, front)])
     camera.SetViewAngle(VIEW_ANGLE)
+    width, height = renderer.GetSize()
+    camera.SetUseHorizontalViewAngle(width < height)  # the narrower side has to hold the model
     camera.Azimuth(view)
     camera.Elevation(14.0)
     camera.OrthogonalizeViewUp()
@@ -240,7 +242,7 @@ def add_text(renderer, text, x, y, points):
 def picture(path, size, panels, up, view, points):
     """Write a PNG of rows of (surface, label), all in the same scale and from the same side."""
     surfaces = [surface for row in panels for surface, _ in row]
-    seen = 0.86 * max(half_size(surface) for surface in surfaces)
+    seen = 0.9 * max(half_size(surface) for surface in surfaces)
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetSize(size)

@@ -28,4 +28,5 @@ step "Configuring" configure.log configure release -DSPHERICALSTYLE_BUILD_TESTIN
 step "Building" build.log cmake --build "$build"
 step "Testing" test.log \
   ctest --test-dir "$build" --output-on-failure --no-tests=error "${ctest_options[@]}"
-echo "$(grep 'tests passed' "$build/test.log") in $(minutes), logs: $build/*.log"
+skipped=$(grep -c '[*][*][*]Skipped' "$build/test.log") || true
+echo "$(grep 'tests passed' "$build/test.log"), $skipped skipped, in $(minutes), logs: $build/*.log"
