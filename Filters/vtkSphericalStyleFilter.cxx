@@ -206,11 +206,10 @@ SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
   o.loop.acceleration = self->Acceleration;
   o.threads = ThreadsToUse(self->NumberOfThreads);
 
-  const vtkIdType n = vtkPolyData::GetData(input[0], 0)->GetNumberOfPoints();
   const auto gather = [&](int index)
   {
     vtkDataArray* array = FindArray(self, index, input);
-    return array ? vtkSurfaceMeshConversion::GatherPointArray(array, n, surface, ArrayRules[index])
+    return array ? vtkSurfaceMeshConversion::GatherPointArray(array, surface, ArrayRules[index])
                  : Points();
   };
   o.roundnessFactors = gather(ROUNDNESS_FACTOR).col(0);

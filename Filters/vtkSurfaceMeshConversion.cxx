@@ -222,6 +222,7 @@ bool IsDegenerate(const Points& x, const std::array<vtkIdType, 3>& t)
   const double longest = std::max({ a.stableNorm(), b.stableNorm(), (b - a).stableNorm() });
   return !(longest > 0.0) || !((a / longest).cross(b / longest).norm() > SmallestAngle);
 }
+
 /// Puts input points into groups that share one normal: those at one mesh point whose normals were
 /// equal (or all of them, without `before`), so that seams stay smooth and creases stay sharp.
 /// @param place  mesh point of each group @return group of each input point, -1 where nothing moves
@@ -420,9 +421,9 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld)
   return surface;
 }
 
-Points GatherPointArray(vtkDataArray* array, vtkIdType numberOfPoints,
-  const vtkSurfaceMesh& surface, const ArrayRule& rule)
+Points GatherPointArray(vtkDataArray* array, const vtkSurfaceMesh& surface, const ArrayRule& rule)
 {
+  const auto numberOfPoints = static_cast<vtkIdType>(surface.MeshPoint.size());
   std::ostringstream message;
   message << rule.Purpose << ": array \"" << (array->GetName() ? array->GetName() : "") << "\" ";
   if (array->GetNumberOfComponents() != rule.Components)

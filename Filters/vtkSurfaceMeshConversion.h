@@ -8,7 +8,6 @@
 #include "StyleSolver.h" // for the types of the solver
 #include "vtkType.h"     // for vtkIdType
 
-#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -57,8 +56,8 @@ struct ArrayRule
 
 /// The array as one row per mesh point, the mean over coincident input points.
 /// @throw std::invalid_argument naming purpose, array and the first offending point
-SphericalStyle::Points GatherPointArray(vtkDataArray* array, vtkIdType numberOfPoints,
-  const vtkSurfaceMesh& surface, const ArrayRule& rule);
+SphericalStyle::Points GatherPointArray(
+  vtkDataArray* array, const vtkSurfaceMesh& surface, const ArrayRule& rule);
 
 /// One row per mesh point to a point array of the output, zero where nothing moves.
 /// @param type  VTK_FLOAT or VTK_DOUBLE

@@ -68,33 +68,29 @@ EdgeWeights ComputeEdgeWeights(const HalfEdgeScalars& cotangents, const Triangle
   const bool full = edges == EdgeWeighting::FullEdge;
   EdgeWeights w;
   w.c = full ? EdgeSums(cotangents, F) : cotangents;
-  if (spherical == SphericalWeighting::Cotangent)
+  const bool cotangent = spherical == SphericalWeighting::Cotangent;
+  const bool oneLambda = lambda.size() > 0 && (lambda.array() == lambda(0)).all();
+  w.proportional = oneLambda && (cotangent || lambda(0) == 0.0);
+  if (w.proportional)
   {
-    w.l.resize(F.rows(), 3);
-    for (Eigen::Index f = 0; f < F.rows(); ++f)
+    w.ratio = std::sqrt(3.0) * lambda(0);
+    w.l = w.ratio * w.c;
+    return w;
+  }
+  w.l.resize(F.rows(), 3);
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    if (cotangent)
     {
       const double mean = (lambda(F(f, 0)) + lambda(F(f, 1)) + lambda(F(f, 2))) / 3.0;
       w.l.row(f) = std::sqrt(3.0) * mean * w.c.row(f);
+      continue;
     }
-  }
-  else
-  {
-    w.l.resize(F.rows(), 3);
-    for (Eigen::Index f = 0; f < F.rows(); ++f)
+    for (int k = 0; k < 3; ++k)
     {
-      for (int k = 0; k < 3; ++k)
-      {
-        const double mean = 0.5 * (lambda(F(f, HalfEdgeStart(k))) + lambda(F(f, HalfEdgeEnd(k))));
-        w.l(f, k) = full ? mean : 0.5 * mean;
-      }
+      const double mean = 0.5 * (lambda(F(f, HalfEdgeStart(k))) + lambda(F(f, HalfEdgeEnd(k))));
+      w.l(f, k) = full ? mean : 0.5 * mean;
     }
-  }
-  const bool oneLambda = lambda.size() > 0 && (lambda.array() == lambda(0)).all();
-  if (oneLambda && (spherical == SphericalWeighting::Cotangent || lambda(0) == 0.0))
-  {
-    w.proportional = true;
-    w.ratio = std::sqrt(3.0) * lambda(0);
-    w.l = w.ratio * w.c;
   }
   return w;
 }

@@ -7,7 +7,8 @@
 namespace SphericalStyle
 {
 GlobalStep::GlobalStep(const MeshTopology& topology, const std::vector<int>& pinned)
-  : Fixed(topology.GetNumberOfPoints(), 0)
+  : Topology(&topology)
+  , Fixed(topology.GetNumberOfPoints(), 0)
   , ComponentIsPinned(topology.GetNumberOfComponents(), 0)
 {
   for (const int i : pinned)
@@ -22,9 +23,13 @@ GlobalStep::GlobalStep(const MeshTopology& topology, const std::vector<int>& pin
       this->Fixed[topology.GetLastPoints()[c]] = 1;
     }
   }
-  this->Matrix = EdgeMatrix(topology, this->Fixed);
+}
 
-  const Triangles& F = topology.GetTriangles();
+/// Where half-edges add, and those between a free and a fixed point.
+void GlobalStep::BuildMatrix()
+{
+  this->Matrix = EdgeMatrix(*this->Topology, this->Fixed);
+  const Triangles& F = this->Topology->GetTriangles();
   const std::vector<int>& rows = this->Matrix.GetRows();
   for (int h = 0; h < static_cast<int>(F.size()); ++h)
   {
@@ -50,9 +55,13 @@ bool GlobalStep::SetWeights(const HalfEdgeScalars& k, double scale)
     return false;
   }
   this->Factored.resize(0, 3); // nothing is factored if the next lines throw
+  const Stopwatch analyze;
+  if (!this->Analyzed)
+  {
+    this->BuildMatrix();
+  }
   if (this->Matrix.GetNumberOfRows() > 0)
   {
-    const Stopwatch analyze;
     const SparseCholesky::Matrix& A = this->Matrix.Assemble(3.0 * k);
     if (!this->Analyzed)
     {

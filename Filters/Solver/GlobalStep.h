@@ -19,8 +19,8 @@ public:
   /// @param topology  kept by reference, must outlive this @param pinned  points the user fixes
   GlobalStep(const MeshTopology& topology, const std::vector<int>& pinned);
 
-  /// Sets L. Factors only if k differs from the weights factored last; a new scale costs nothing,
-  /// and new k keep ordering and symbolic factor. @throw SolverError
+  /// Sets L; to be called before Solve. Factors only if k differs from the weights factored last; a
+  /// new scale costs nothing, and new k keep ordering and symbolic factor. @throw SolverError
   /// @return whether it factored
   bool SetWeights(const HalfEdgeScalars& k, double scale);
 
@@ -37,6 +37,9 @@ public:
   const char* GetSolverName() const { return this->Factor.GetName(); }
 
 private:
+  void BuildMatrix();
+
+  const MeshTopology* Topology = nullptr;
   std::vector<char> Fixed;
   std::vector<char> ComponentIsPinned;
   EdgeMatrix Matrix;

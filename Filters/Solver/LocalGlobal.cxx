@@ -41,10 +41,7 @@ bool Stops(const LoopOptions& options, const HistoryRow& row)
   }
   return false;
 }
-}
 
-namespace
-{
 /// E_k - E* from the first `size` energies, times a safety factor; see EstimateGap.
 double EstimateRest(const std::vector<double>& energies, std::size_t size)
 {

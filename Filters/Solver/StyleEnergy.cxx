@@ -28,6 +28,15 @@ Eigen::Matrix3d DeformedEdges(const Points& Q, const Triangles& F, Eigen::Index 
   E << b - c, c - a, a - b;
   return E;
 }
+
+/// sum_h weight_h |E_h - R T_h|^2 over the half-edges of a triangle.
+template <typename Weights>
+double Misfit(
+  const Eigen::Matrix3d& E, const Eigen::Matrix3d& R, const Columns& T, const Weights& weight)
+{
+  const Eigen::Matrix3d residual = E - R * T;
+  return residual.colwise().squaredNorm().dot(weight);
+}
 }
 
 StyleEnergy::StyleEnergy(const MeshTopology& topology, EdgeWeights weights, HalfEdgeVectors e,
@@ -88,8 +97,7 @@ EnergyTerms StyleEnergy::Evaluate(const Points& Q, const Matrices& R) const
           const Columns T = TriangleColumns(turning, f);
           for (int y = 0; y < 3; ++y)
           {
-            const Eigen::Matrix3d residual = E - R[F(f, y)] * T;
-            sum += residual.colwise().squaredNorm().dot(weight.row(f));
+            sum += Misfit(E, R[F(f, y)], T, weight.row(f));
           }
         }
         return sum;
@@ -114,14 +122,9 @@ Eigen::VectorXd StyleEnergy::CellEnergies(const Points& Q, const Matrices& R) co
     for (int y = 0; y < 3; ++y)
     {
       const Eigen::Matrix3d& rotation = R[F(f, y)];
-      energy(F(f, y)) += (E - rotation * TriangleColumns(this->Edges, f))
-                           .colwise()
-                           .squaredNorm()
-                           .dot(this->Weights.c.row(f)) +
-        (G - rotation * TriangleColumns(this->TurningTargets, f))
-          .colwise()
-          .squaredNorm()
-          .dot(this->Weights.l.row(f));
+      energy(F(f, y)) +=
+        Misfit(E, rotation, TriangleColumns(this->Edges, f), this->Weights.c.row(f)) +
+        Misfit(G, rotation, TriangleColumns(this->TurningTargets, f), this->Weights.l.row(f));
     }
   }
   return energy;

@@ -311,10 +311,6 @@ void StyleSolver::State::BuildEnergy(const StyleOptions& options, StyleReport& r
     options.custom.radius / frame.scale };
   report.sphere = TargetSphere(this->Base, F, options.centerMode, options.radiusMode, custom);
   this->T = this->Directions(options, report);
-  const bool details = options.detailSize > 0.0;
-  const HalfEdgeVectors baseEdges = details ? HalfEdgeDifferences(this->Base, F) : this->Edges;
-  const HalfEdgeVectors tau = EdgeTargets(
-    this->T, report.sphere.radius, F, baseEdges, options.concaveEdges, report.concaveHalfEdges);
   Eigen::VectorXd lambda = Eigen::VectorXd::Constant(this->P.rows(), options.lambda);
   if (options.roundnessFactors.size() > 0)
   {
@@ -322,10 +318,22 @@ void StyleSolver::State::BuildEnergy(const StyleOptions& options, StyleReport& r
   }
   EdgeWeights weights = ComputeEdgeWeights(
     this->Cotangents, F, lambda, options.edgeWeighting, options.sphericalWeighting);
-  const HalfEdgeVectors none(0, 9);
-  const HalfEdgeVectors delta = details ? this->Edges - baseEdges : tau;
-  this->Energy = StyleEnergy(
-    this->Topology, std::move(weights), this->Edges, delta, details ? tau : none, options.threads);
+  const auto targets = [&](const HalfEdgeVectors& rest)
+  {
+    return EdgeTargets(
+      this->T, report.sphere.radius, F, rest, options.concaveEdges, report.concaveHalfEdges);
+  };
+  if (options.detailSize > 0.0)
+  {
+    const HalfEdgeVectors baseEdges = HalfEdgeDifferences(this->Base, F);
+    this->Energy = StyleEnergy(this->Topology, std::move(weights), this->Edges,
+      this->Edges - baseEdges, targets(baseEdges), options.threads);
+  }
+  else
+  {
+    this->Energy = StyleEnergy(this->Topology, std::move(weights), this->Edges,
+      targets(this->Edges), HalfEdgeVectors(0, 9), options.threads);
+  }
   report.seconds.weights = watch.Seconds();
 }
 
@@ -378,6 +386,7 @@ void StyleSolver::State::ToModelUnits(const StyleOptions& options, StyleReport& 
 StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& callback)
 {
   State& s = *this->S;
+  Require(s.P.rows() > 0, "there is no mesh: SetMesh was not called or has thrown");
   CheckOptions(options, static_cast<int>(s.P.rows()));
   StyleReport report;
   const Stopwatch base;

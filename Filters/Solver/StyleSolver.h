@@ -96,7 +96,8 @@ public:
   /// @throw std::invalid_argument: see MeshTopology; points not finite; triangles without area
   void SetMesh(const TriangleMesh& mesh);
 
-  /// Deforms the mesh. @throw std::invalid_argument for options out of range or of wrong size
+  /// Deforms the mesh. @throw std::invalid_argument for options out of range or of wrong size, and
+  /// without a mesh
   /// @throw SolverError @return the report; positions and rotations are then at hand
   StyleReport Solve(const StyleOptions& options, const Callback& callback = {});
 

@@ -14,7 +14,6 @@ namespace
 using namespace SphericalStyle;
 using Vector = Eigen::Vector3d;
 
-
 Vector Row(const Points& x, int i)
 {
   return x.row(i).transpose();

@@ -723,6 +723,10 @@ void TestRefusedMeshes()
       m.P.resize(0, 3);
     });
 
+  CHECK_THROWS(std::invalid_argument, solver.Solve({}), "no mesh");
+  StyleSolver untouched;
+  CHECK_THROWS(std::invalid_argument, untouched.Solve({}), "no mesh");
+
   // After all this a good mesh works.
   solver.SetMesh(good);
   solver.Solve({});
