@@ -82,3 +82,30 @@ minutes()
 {
   printf '%d min %d s' "$((SECONDS / 60))" "$((SECONDS % 60))"
 }
+
+# take_test_options OPTIONS... : -h shows the script's head, -v is ours, the rest is for ctest.
+take_test_options()
+{
+  ctest_options=()
+  local option
+  for option in "$@"; do
+    case $option in
+      -h | --help)
+        sed -n '/^# usage:/,/^[^#]/s/^# \{0,1\}//p' "$0"
+        exit 0
+        ;;
+      -v) VERBOSE=1 ;;
+      *) ctest_options+=("$option") ;;
+    esac
+  done
+}
+
+# The last step of a script that tests, and what came of it.
+run_tests()
+{
+  step "Testing" test.log \
+    ctest --test-dir "$build" --output-on-failure --no-tests=error "${ctest_options[@]}"
+  local skipped
+  skipped=$(grep -c '[*][*][*]Skipped' "$build/test.log") || true
+  echo "$(grep 'tests passed' "$build/test.log"), $skipped skipped, in $(minutes), logs: $build/*.log"
+}

@@ -9,13 +9,7 @@
 BUILD_DIR=${BUILD_DIR:-build-vtk91}
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-ctest_options=()
-for option in "$@"; do
-  case $option in
-    -v) VERBOSE=1 ;;
-    *) ctest_options+=("$option") ;;
-  esac
-done
+take_test_options "$@"
 
 fetch_vtk()
 {
@@ -44,6 +38,4 @@ step "Configuring" configure.log configure release \
 export LD_LIBRARY_PATH=$vtk_libraries
 step "Building" build.log cmake --build "$build"
 export PYTHONPATH=$build/vtk/usr/lib/python3/dist-packages
-step "Testing" test.log \
-  ctest --test-dir "$build" --output-on-failure --no-tests=error "${ctest_options[@]}"
-echo "$(grep 'tests passed' "$build/test.log") in $(minutes), logs: $build/*.log"
+run_tests

@@ -10,23 +10,9 @@
 # BUILD_DIR=... builds elsewhere than in build/.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-ctest_options=()
-for option in "$@"; do
-  case $option in
-    -h | --help)
-      sed -n '5,/^[^#]/{s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"
-      exit 0
-      ;;
-    -v) VERBOSE=1 ;;
-    *) ctest_options+=("$option") ;;
-  esac
-done
-
+take_test_options "$@"
 step_count=4
 set_up
 step "Configuring" configure.log configure release -DSPHERICALSTYLE_BUILD_TESTING=ON
 step "Building" build.log cmake --build "$build"
-step "Testing" test.log \
-  ctest --test-dir "$build" --output-on-failure --no-tests=error "${ctest_options[@]}"
-skipped=$(grep -c '[*][*][*]Skipped' "$build/test.log") || true
-echo "$(grep 'tests passed' "$build/test.log"), $skipped skipped, in $(minutes), logs: $build/*.log"
+run_tests
