@@ -447,21 +447,28 @@ inline double Diagonal(vtkPolyData* surface)
   return std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
 }
 
-/// Largest distance between points of the same id; NaN if a point is not finite, infinite if there
-/// are not equally many.
-inline double LargestDistance(vtkPolyData* a, vtkPolyData* b)
+/// Largest distance between the points of a part and those of the whole from id `first` on; NaN if
+/// a point is not finite, infinite if the whole has too few.
+inline double LargestDistanceInPart(vtkPolyData* part, vtkPolyData* whole, vtkIdType first = 0)
 {
-  if (a->GetNumberOfPoints() != b->GetNumberOfPoints())
+  if (first + part->GetNumberOfPoints() > whole->GetNumberOfPoints())
   {
     return HUGE_VAL;
   }
   double largest = 0.0;
-  for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
+  for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
   {
-    const double distance = Distance(PointOf(a, i), PointOf(b, i));
+    const double distance = Distance(PointOf(part, i), PointOf(whole, first + i));
     largest = distance <= largest ? largest : distance;
   }
   return largest;
+}
+
+/// Largest distance between points of the same id; NaN if a point is not finite, infinite if there
+/// are not equally many.
+inline double LargestDistance(vtkPolyData* a, vtkPolyData* b)
+{
+  return a->GetNumberOfPoints() == b->GetNumberOfPoints() ? LargestDistanceInPart(a, b) : HUGE_VAL;
 }
 
 /// Mean of the points first, ..., last - 1.

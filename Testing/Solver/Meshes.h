@@ -18,6 +18,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,13 @@ using SphericalStyle::Triangles;
 using Vector = Eigen::Vector3d;
 
 constexpr double Pi = 3.14159265358979323846;
+
+/// A mesh and what messages call it.
+struct Named
+{
+  std::string name;
+  TriangleMesh mesh;
+};
 
 /// Numbers in (0, 1) or (-1, 1). The library's distributions differ between compilers, its engines
 /// do not.
@@ -189,11 +197,32 @@ inline TriangleMesh Ellipsoid(int level)
   return Scaled(Icosphere(level), { 1.0, 0.7, 0.5 });
 }
 
+/// Triangles between rings of points and two poles: point i of ring j has the id j * around + i,
+/// the pole before the first ring rings * around, the one behind the last ring the id after that.
+inline std::vector<std::array<int, 3>> CappedTube(int around, int rings)
+{
+  std::vector<std::array<int, 3>> triangles;
+  const int before = around * rings;
+  for (int i = 0; i < around; ++i)
+  {
+    const int k = (i + 1) % around;
+    triangles.push_back({ before, i, k });
+    triangles.push_back({ before + 1, (rings - 1) * around + k, (rings - 1) * around + i });
+    for (int j = 0; j + 1 < rings; ++j)
+    {
+      const int a = j * around + i;
+      const int b = j * around + k;
+      triangles.push_back({ a, a + around, b + around });
+      triangles.push_back({ a, b + around, b });
+    }
+  }
+  return triangles;
+}
+
 /// Rings of points between two poles: around * rings + 2 points, thin triangles at the poles.
 inline TriangleMesh EllipsoidUV(int around = 24, int rings = 16)
 {
   std::vector<Vector> points;
-  std::vector<std::array<int, 3>> triangles;
   for (int j = 0; j < rings; ++j)
   {
     const double theta = Pi * (j + 1) / (rings + 1);
@@ -204,22 +233,9 @@ inline TriangleMesh EllipsoidUV(int around = 24, int rings = 16)
         0.5 * std::cos(theta) });
     }
   }
-  const int north = around * rings, south = north + 1;
   points.push_back({ 0, 0, 0.5 });
   points.push_back({ 0, 0, -0.5 });
-  for (int i = 0; i < around; ++i)
-  {
-    const int k = (i + 1) % around;
-    triangles.push_back({ north, i, k });
-    triangles.push_back({ south, (rings - 1) * around + k, (rings - 1) * around + i });
-    for (int j = 0; j + 1 < rings; ++j)
-    {
-      const int a = j * around + i, b = j * around + k;
-      triangles.push_back({ a, a + around, b + around });
-      triangles.push_back({ a, b + around, b });
-    }
-  }
-  return Make(points, triangles);
+  return Make(points, CappedTube(around, rings));
 }
 
 /// Surface of [-1, 1]^3 times half, k squares along every edge, every square split along the same
@@ -281,7 +297,6 @@ inline TriangleMesh House(int slices = 5)
     { 1, 1.2 }, { 0.5, 1.55 }, { 0, 1.9 }, { -0.5, 1.55 }, { -1, 1.2 }, { -1, 0.6 } };
   const int around = static_cast<int>(outline.size());
   std::vector<Vector> points;
-  std::vector<std::array<int, 3>> triangles;
   for (int s = 0; s < slices; ++s)
   {
     for (int i = 0; i < around; ++i)
@@ -291,22 +306,9 @@ inline TriangleMesh House(int slices = 5)
       points.push_back({ outline[i][0], 2.4 * s / (slices - 1) + shear, outline[i][1] });
     }
   }
-  const int front = around * slices, back = front + 1;
   points.push_back({ 0, 0, 0.9 });
   points.push_back({ 0, 2.4, 0.9 });
-  for (int i = 0; i < around; ++i)
-  {
-    const int k = (i + 1) % around;
-    triangles.push_back({ front, i, k });
-    triangles.push_back({ back, (slices - 1) * around + k, (slices - 1) * around + i });
-    for (int s = 0; s + 1 < slices; ++s)
-    {
-      const int a = s * around + i, b = s * around + k;
-      triangles.push_back({ a, a + around, b + around });
-      triangles.push_back({ a, b + around, b });
-    }
-  }
-  return Make(points, triangles);
+  return Make(points, CappedTube(around, slices));
 }
 
 /// A wavy sheet of k x k squares with a border, one-direction diagonals; flat for height 0.

@@ -3,6 +3,7 @@
 //
 // The loop: descent, history, stop rules, and what the result has to be where it is known.
 #include "Check.h"
+#include "FixedIterations.h"
 #include "Meshes.h"
 #include "StyleSolver.h"
 #include "SurfaceMeasures.h"
@@ -16,19 +17,7 @@ using Eigen::Vector3d;
 
 namespace
 {
-struct Named
-{
-  std::string name;
-  TriangleMesh mesh;
-};
-
-StyleOptions Fixed(StyleOptions options, int iterations)
-{
-  options.loop.stopRule = StopRule::FixedIterations;
-  options.loop.maximumNumberOfIterations = iterations;
-  options.loop.acceleration = false;
-  return options;
-}
+using Meshes::Named;
 
 double WorstRise = 0.0;
 

@@ -18,11 +18,7 @@ using Eigen::Vector3d;
 
 namespace
 {
-struct Named
-{
-  std::string name;
-  TriangleMesh mesh;
-};
+using Meshes::Named;
 
 std::vector<Named> AllMeshes()
 {

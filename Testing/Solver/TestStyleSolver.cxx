@@ -4,6 +4,7 @@
 // The solver as a whole: what it keeps between solves, what its results must not depend on, and
 // what it refuses. Also the two backends of the factorisation.
 #include "Check.h"
+#include "FixedIterations.h"
 #include "Meshes.h"
 #include "StyleSolver.h"
 
@@ -18,23 +19,11 @@ using Eigen::Vector3d;
 
 namespace
 {
-struct Named
-{
-  std::string name;
-  TriangleMesh mesh;
-};
+using Meshes::Named;
 
 TriangleMesh House()
 {
   return Meshes::Perturbed(Meshes::House(), 0.02, 2);
-}
-
-StyleOptions Fixed(StyleOptions options, int iterations)
-{
-  options.loop.stopRule = StopRule::FixedIterations;
-  options.loop.maximumNumberOfIterations = iterations;
-  options.loop.acceleration = false;
-  return options;
 }
 
 // Options that use the whole of the solver, without arrays.
