@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The plugin loads, its proxy runs, and both outputs and the read-only properties arrive.
 
-usage: pvpython TestParaViewProxy.py SphericalStyle.so
+usage: pvpython TestSphericalStyleFilterProxy.py SphericalStyle.so
 """
 import sys
 

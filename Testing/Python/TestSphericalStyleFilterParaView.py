@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pipelines of ParaView: blocks, time steps, a filter after the filter, and the picture.
 
-usage: pvpython TestParaViewPipeline.py SphericalStyle.so DATA -T TEMPORARY -V BASELINE.png
+usage: pvpython TestSphericalStyleFilterParaView.py SphericalStyle.so DATA -T TEMPORARY -V BASELINE.png
 """
 import sys
 

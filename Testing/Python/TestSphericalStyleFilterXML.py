@@ -4,7 +4,7 @@
 
 The class is asked through its Python wrapping, so a new C++ property without XML fails here.
 
-usage: TestSphericalStyleXML.py SphericalStyleFilter.xml
+usage: TestSphericalStyleFilterXML.py SphericalStyleFilter.xml
 """
 import re
 import sys
