@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSphericalStyleFilter.h"
 
+#include "vtkFilterSupport.h"
 #include "vtkSurfaceMeshConversion.h"
 
 #include "vtkDataArray.h"
@@ -14,21 +15,17 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
-#include "vtkVersion.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 using SphericalStyle::Points;
+using namespace vtkFilterSupport;
 
 vtkStandardNewMacro(vtkSphericalStyleFilter);
 
@@ -49,18 +46,6 @@ constexpr vtkSurfaceMeshConversion::ArrayRule ArrayRules[] = {
   { "Normal blend", 1, 0.0, 1.0 },
   { "Target directions", 3, -Infinity, Infinity },
 };
-
-int ThreadsToUse(int wanted)
-{
-  if (wanted > 0)
-  {
-    return wanted;
-  }
-  const char* limit = std::getenv("VTK_SMP_MAX_THREADS");
-  const int fromEnvironment = limit ? std::atoi(limit) : 0;
-  return fromEnvironment > 0 ? fromEnvironment
-                             : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-}
 
 /// The history as rows; how long each stage took and what solved the system as field data.
 void FillHistory(vtkTable* table, const SphericalStyle::StyleReport& report)
@@ -117,12 +102,8 @@ struct vtkSphericalStyleFilter::Internals
 
   /// @throw std::invalid_argument naming the property and its value
   static void CheckProperties(const vtkSphericalStyleFilter* self);
-  /// The array for index, or nullptr where none was asked for. @throw std::invalid_argument
-  static vtkDataArray* FindArray(
-    vtkSphericalStyleFilter* self, int index, vtkInformationVector** input);
   static SphericalStyle::StyleOptions MakeOptions(
-    vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, vtkInformationVector** input);
-  static bool Aborted(vtkSphericalStyleFilter* self);
+    vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, vtkPolyData* input);
   static void Warn(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
     const SphericalStyle::StyleReport& report);
   static void SetFacts(vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report);
@@ -132,60 +113,30 @@ struct vtkSphericalStyleFilter::Internals
 
 void vtkSphericalStyleFilter::Internals::CheckProperties(const vtkSphericalStyleFilter* self)
 {
-  const auto require = [](bool good, const char* name, const char* must, double value)
-  {
-    if (!good)
-    {
-      std::ostringstream message;
-      message << name << " must be " << must << "; it is " << value;
-      throw std::invalid_argument(message.str());
-    }
-  };
-  require(std::isfinite(self->Roundness) && self->Roundness >= 0.0, "Roundness",
+  Require(std::isfinite(self->Roundness) && self->Roundness >= 0.0, "Roundness",
     "finite and 0 or more", self->Roundness);
-  require(self->NormalBlend >= 0.0 && self->NormalBlend <= 1.0, "NormalBlend", "in 0..1",
+  Require(self->NormalBlend >= 0.0 && self->NormalBlend <= 1.0, "NormalBlend", "in 0..1",
     self->NormalBlend);
-  require(self->DetailSize >= 0.0 && self->DetailSize <= 0.2, "DetailSize", "in 0..0.2",
+  Require(self->DetailSize >= 0.0 && self->DetailSize <= 0.2, "DetailSize", "in 0..0.2",
     self->DetailSize);
-  require(self->Tolerance > 0.0 && self->Tolerance < 1.0, "Tolerance", "above 0 and below 1",
+  Require(self->Tolerance > 0.0 && self->Tolerance < 1.0, "Tolerance", "above 0 and below 1",
     self->Tolerance);
   if (self->RadiusMode == CUSTOM_RADIUS)
   {
-    require(std::isfinite(self->Radius) && self->Radius > 0.0, "Radius", "finite and above 0",
+    Require(std::isfinite(self->Radius) && self->Radius > 0.0, "Radius", "finite and above 0",
       self->Radius);
   }
   if (self->CenterMode == CUSTOM_CENTER)
   {
     for (const double x : self->Center)
     {
-      require(std::isfinite(x), "Center", "finite", x);
+      Require(std::isfinite(x), "Center", "finite", x);
     }
   }
 }
 
-vtkDataArray* vtkSphericalStyleFilter::Internals::FindArray(
-  vtkSphericalStyleFilter* self, int index, vtkInformationVector** input)
-{
-  vtkInformation* wanted = self->GetInputArrayInformation(index);
-  const char* name = wanted->Get(vtkDataObject::FIELD_NAME());
-  const bool byName = name && *name && std::string(name) != "None";
-  if (name && !byName) // unset, or set back to "None" by a user interface
-  {
-    vtkPointData* arrays = vtkPolyData::GetData(input[0], 0)->GetPointData();
-    return index == NORMALS ? arrays->GetNormals() : nullptr;
-  }
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* array = self->GetInputArrayToProcess(index, input, association);
-  if (byName && (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS))
-  {
-    throw std::invalid_argument(std::string(ArrayRules[index].Purpose) +
-      ": there is no numeric point array \"" + name + "\"");
-  }
-  return array;
-}
-
 SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
-  vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, vtkInformationVector** input)
+  vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, vtkPolyData* input)
 {
   using namespace SphericalStyle;
   StyleOptions o;
@@ -208,9 +159,11 @@ SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
 
   const auto gather = [&](int index)
   {
-    vtkDataArray* array = FindArray(self, index, input);
-    return array ? vtkSurfaceMeshConversion::GatherPointArray(array, surface, ArrayRules[index])
-                 : Points();
+    const vtkSurfaceMeshConversion::ArrayRule& rule = ArrayRules[index];
+    vtkDataArray* array =
+      vtkSurfaceMeshConversion::FindPointArray(self->GetInputArrayInformation(index), input,
+        rule.Purpose, index == NORMALS ? vtkDataSetAttributes::NORMALS : -1);
+    return array ? vtkSurfaceMeshConversion::GatherPointArray(array, surface, rule) : Points();
   };
   o.roundnessFactors = gather(ROUNDNESS_FACTOR).col(0);
   o.normalBlends = gather(NORMAL_BLEND).col(0);
@@ -228,15 +181,6 @@ SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
   return self->ReproduceThesis ? ThesisOptions(o) : o;
 }
 
-bool vtkSphericalStyleFilter::Internals::Aborted(vtkSphericalStyleFilter* self)
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220823) // the first with CheckAbort
-  return self->CheckAbort();
-#else
-  return self->GetAbortExecute() != 0;
-#endif
-}
-
 void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
   const vtkSurfaceMesh& surface, const SphericalStyle::StyleReport& report)
 {
@@ -246,24 +190,22 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
   {
     warn("the input has no triangle with an area: nothing moves");
   }
-  const auto count = [](vtkIdType n, const char* noun)
-  { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); };
   if (surface.FannedPolygons > 0)
   {
-    warn("cut " + count(surface.FannedPolygons, "polygon") +
+    warn("cut " + Count(surface.FannedPolygons, "polygon") +
       " that cannot be triangulated as fans, the first is cell " +
       std::to_string(surface.FirstFannedPolygon));
   }
   if (surface.DegenerateTriangles > 0)
   {
-    warn("skipped " + count(surface.DegenerateTriangles, "degenerate triangle") +
+    warn("skipped " + Count(surface.DegenerateTriangles, "degenerate triangle") +
       ", the first in cell " + std::to_string(surface.FirstDegenerateCell) +
       "; points of no other triangle stay in place");
   }
   if (!report.pointsOnCenter.empty())
   {
     const auto n = static_cast<vtkIdType>(report.pointsOnCenter.size());
-    warn("no direction from the centre for " + count(n, "point") + " on it, the first is point " +
+    warn("no direction from the centre for " + Count(n, "point") + " on it, the first is point " +
       std::to_string(surface.FirstInputPoint(report.pointsOnCenter.front())) +
       "; the mean of the neighbours' directions is taken");
   }
@@ -298,17 +240,7 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
   }
   if (self->GenerateDisplacement)
   {
-    auto displacement = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
-    displacement->SetName("Displacement");
-    displacement->SetNumberOfComponents(3);
-    displacement->SetNumberOfTuples(output->GetNumberOfPoints());
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-    {
-      const Eigen::Vector3d before(input->GetPoint(i));
-      const Eigen::Vector3d moved = Eigen::Vector3d(output->GetPoint(i)) - before;
-      displacement->SetTuple(i, moved.data());
-    }
-    output->GetPointData()->AddArray(displacement);
+    vtkSurfaceMeshConversion::AddDisplacement(output, input);
   }
   if (self->GenerateCellEnergy)
   {
@@ -370,7 +302,7 @@ int vtkSphericalStyleFilter::RequestData(
   {
     Internals::CheckProperties(this);
     surface = vtkSurfaceMeshConversion::FromPolyData(input, this->WeldCoincidentPoints);
-    const SphericalStyle::StyleOptions options = Internals::MakeOptions(this, surface, inputVector);
+    const SphericalStyle::StyleOptions options = Internals::MakeOptions(this, surface, input);
     if (surface.Mesh.F.rows() > 0)
     {
       this->SetProgressText("Rounding");
@@ -380,7 +312,7 @@ int vtkSphericalStyleFilter::RequestData(
         [this](int iteration, double)
         {
           this->UpdateProgress(1.0 - 0.8 / (1.0 + 0.1 * iteration));
-          return !Internals::Aborted(this);
+          return !Aborted(this);
         });
       Q = this->Internal->Solver.GetPositions();
     }
@@ -404,17 +336,10 @@ int vtkSphericalStyleFilter::RequestData(
 void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto onOff = [](bool on) { return on ? "On" : "Off"; };
-  const auto triple = [](const double* x)
-  {
-    std::ostringstream text;
-    text << "(" << x[0] << ", " << x[1] << ", " << x[2] << ")";
-    return text.str();
-  };
   os << indent << "Roundness: " << this->Roundness << "\n";
   os << indent << "NormalBlend: " << this->NormalBlend << "\n";
   os << indent << "CenterMode: " << this->CenterMode << "\n";
-  os << indent << "Center: " << triple(this->Center) << "\n";
+  os << indent << "Center: " << Triple(this->Center) << "\n";
   os << indent << "RadiusMode: " << this->RadiusMode << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "DetailSize: " << this->DetailSize << "\n";
@@ -424,21 +349,21 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StopRule: " << this->StopRule << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
-  os << indent << "Acceleration: " << onOff(this->Acceleration) << "\n";
+  os << indent << "Acceleration: " << OnOff(this->Acceleration) << "\n";
   os << indent << "Anchor: " << this->Anchor << "\n";
-  os << indent << "WeldCoincidentPoints: " << onOff(this->WeldCoincidentPoints) << "\n";
+  os << indent << "WeldCoincidentPoints: " << OnOff(this->WeldCoincidentPoints) << "\n";
   os << indent << "InitialGuess: " << this->InitialGuess << "\n";
-  os << indent << "ReproduceThesis: " << onOff(this->ReproduceThesis) << "\n";
+  os << indent << "ReproduceThesis: " << OnOff(this->ReproduceThesis) << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
-  os << indent << "GenerateTargetDirection: " << onOff(this->GenerateTargetDirection) << "\n";
-  os << indent << "GenerateDisplacement: " << onOff(this->GenerateDisplacement) << "\n";
-  os << indent << "GenerateNormals: " << onOff(this->GenerateNormals) << "\n";
-  os << indent << "GenerateCellEnergy: " << onOff(this->GenerateCellEnergy) << "\n";
-  os << indent << "GenerateRotation: " << onOff(this->GenerateRotation) << "\n";
+  os << indent << "GenerateTargetDirection: " << OnOff(this->GenerateTargetDirection) << "\n";
+  os << indent << "GenerateDisplacement: " << OnOff(this->GenerateDisplacement) << "\n";
+  os << indent << "GenerateNormals: " << OnOff(this->GenerateNormals) << "\n";
+  os << indent << "GenerateCellEnergy: " << OnOff(this->GenerateCellEnergy) << "\n";
+  os << indent << "GenerateRotation: " << OnOff(this->GenerateRotation) << "\n";
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
-  os << indent << "Converged: " << onOff(this->Converged) << "\n";
+  os << indent << "Converged: " << OnOff(this->Converged) << "\n";
   os << indent << "FinalEnergy: " << this->FinalEnergy << "\n";
-  os << indent << "EffectiveCenter: " << triple(this->EffectiveCenter) << "\n";
+  os << indent << "EffectiveCenter: " << Triple(this->EffectiveCenter) << "\n";
   os << indent << "EffectiveRadius: " << this->EffectiveRadius << "\n";
 }

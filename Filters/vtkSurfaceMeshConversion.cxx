@@ -10,10 +10,12 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -31,6 +33,7 @@
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace
@@ -278,7 +281,23 @@ void ReplaceNormals(vtkDataSetAttributes* attributes, vtkDataArray* normals)
   }
 }
 
-/// Normals of the moved surface; points of no triangle keep theirs.
+/// Groups at a corner of a triangle that has moved: the others keep their normals.
+std::vector<char> MovedGroups(const SphericalStyle::Triangles& F, const vtkSurfaceMesh& surface,
+  const Points& Q, std::size_t numberOfGroups)
+{
+  std::vector<char> moved(numberOfGroups, 0);
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    const auto corners = surface.Mesh.F.row(f);
+    if (Q(corners, Eigen::all) != surface.Mesh.P(corners, Eigen::all))
+    {
+      moved[F(f, 0)] = moved[F(f, 1)] = moved[F(f, 2)] = 1;
+    }
+  }
+  return moved;
+}
+
+/// Normals of the moved surface; points that no moved triangle touches keep theirs.
 void ReplacePointNormals(
   vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q, bool generate)
 {
@@ -292,25 +311,31 @@ void ReplacePointNormals(
   const SphericalStyle::Triangles F =
     surface.Corners.unaryExpr([&group](vtkIdType i) { return group[i]; });
   const Points n = SphericalStyle::PointNormals(Q(place, Eigen::all), F);
+  const std::vector<char> moved = MovedGroups(F, surface, Q, place.size());
 
-  vtkNew<vtkFloatArray> normals;
+  auto normals = vtk::TakeSmartPointer(
+    before ? before->NewInstance() : vtkDataArray::CreateDataArray(VTK_FLOAT));
   normals->SetName(before && before->GetName() ? before->GetName() : "Normals");
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(static_cast<vtkIdType>(group.size()));
+  const double none[3] = { 0.0, 0.0, 0.0 };
   for (std::size_t i = 0; i < group.size(); ++i)
   {
-    double normal[3] = { 0.0, 0.0, 0.0 };
-    if (before && group[i] < 0)
+    const auto id = static_cast<vtkIdType>(i);
+    if (before && (group[i] < 0 || !moved[group[i]]))
     {
-      before->GetTuple(static_cast<vtkIdType>(i), normal);
+      normals->SetTuple(id, id, before);
     }
-    normals->SetTuple(static_cast<vtkIdType>(i), group[i] >= 0 ? n.row(group[i]).data() : normal);
+    else
+    {
+      normals->SetTuple(id, group[i] >= 0 ? n.row(group[i]).data() : none);
+    }
   }
   ReplaceNormals(output->GetPointData(), normals);
 }
 
-/// Normals of the faces after the points have moved; vertices and lines keep theirs.
-void ReplaceCellNormals(vtkPolyData* output)
+/// Normals of the faces with a moved point; all other cells keep theirs.
+void ReplaceCellNormals(vtkPolyData* output, const std::vector<char>& moved)
 {
   vtkDataArray* before = output->GetCellData()->GetNormals();
   if (!before)
@@ -327,7 +352,9 @@ void ReplaceCellNormals(vtkPolyData* output)
     const int type = output->GetCellType(cell);
     const bool strip = type == VTK_TRIANGLE_STRIP;
     const bool face = strip || type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON;
-    if (face && ids->GetNumberOfIds() >= 3)
+    const bool hasMoved =
+      std::any_of(ids->begin(), ids->end(), [&moved](vtkIdType i) { return moved[i] != 0; });
+    if (face && hasMoved && ids->GetNumberOfIds() >= 3)
     {
       vtkPolygon::ComputeNormal(output->GetPoints(),
         static_cast<int>(strip ? 3 : ids->GetNumberOfIds()), ids->GetPointer(0), normal);
@@ -345,7 +372,7 @@ vtkIdType vtkSurfaceMesh::FirstInputPoint(int i) const
 
 namespace vtkSurfaceMeshConversion
 {
-vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld)
+vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
 {
   CheckNormals(input->GetPointData(), input->GetNumberOfPoints(), "points");
   CheckNormals(input->GetCellData(), input->GetNumberOfCells(), "cells");
@@ -393,6 +420,13 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld)
       number[first[i]] = 0;
     }
   }
+  if (take == TakePoints::All)
+  {
+    for (const vtkIdType i : first)
+    {
+      number[i] = 0;
+    }
+  }
   int count = 0;
   for (int& id : number)
   {
@@ -419,6 +453,29 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld)
     }
   }
   return surface;
+}
+
+vtkDataArray* FindPointArray(
+  vtkInformation* wanted, vtkPolyData* input, const char* purpose, int attribute)
+{
+  const char* name = wanted->Get(vtkDataObject::FIELD_NAME());
+  vtkPointData* arrays = input->GetPointData();
+  if (name && *name && std::string(name) != "None")
+  {
+    vtkDataArray* array = arrays->GetArray(name);
+    const int association = wanted->Get(vtkDataObject::FIELD_ASSOCIATION());
+    if (!array || association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+    {
+      throw std::invalid_argument(
+        std::string(purpose) + ": there is no numeric point array \"" + name + "\"");
+    }
+    return array;
+  }
+  if (!name && wanted->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
+  {
+    attribute = wanted->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+  }
+  return attribute >= 0 ? arrays->GetAttribute(attribute) : nullptr;
 }
 
 Points GatherPointArray(vtkDataArray* array, const vtkSurfaceMesh& surface, const ArrayRule& rule)
@@ -490,6 +547,22 @@ void AddPointArray(
   output->GetPointData()->AddArray(array);
 }
 
+void AddDisplacement(vtkPolyData* output, vtkPolyData* input)
+{
+  auto displacement =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(output->GetPoints()->GetDataType()));
+  displacement->SetName("Displacement");
+  displacement->SetNumberOfComponents(3);
+  displacement->SetNumberOfTuples(output->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const Eigen::Vector3d before(input->GetPoint(i));
+    const Eigen::Vector3d moved = Eigen::Vector3d(output->GetPoint(i)) - before;
+    displacement->SetTuple(i, moved.data());
+  }
+  output->GetPointData()->AddArray(displacement);
+}
+
 void ReplacePoints(vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q,
   int precision, bool generateNormals)
 {
@@ -502,13 +575,15 @@ void ReplacePoints(vtkPolyData* output, const vtkSurfaceMesh& surface, const Poi
   vtkNew<vtkPoints> points;
   points->SetDataType(type);
   points->SetNumberOfPoints(before->GetNumberOfPoints());
+  std::vector<char> moved(surface.MeshPoint.size());
   for (vtkIdType i = 0; i < before->GetNumberOfPoints(); ++i)
   {
     const int from = surface.MeshPoint[i];
-    points->SetPoint(i, from >= 0 ? Q.row(from).data() : before->GetPoint(i));
+    moved[i] = from >= 0 && Q.row(from) != surface.Mesh.P.row(from);
+    points->SetPoint(i, moved[i] ? Q.row(from).data() : before->GetPoint(i));
   }
   output->SetPoints(points);
   ReplacePointNormals(output, surface, Q, generateNormals);
-  ReplaceCellNormals(output);
+  ReplaceCellNormals(output, moved);
 }
 }

@@ -11,16 +11,17 @@
 #include <vector>
 
 class vtkDataArray;
+class vtkInformation;
 class vtkPolyData;
 
 /// The part of a vtkPolyData that takes part in a solve.
 struct vtkSurfaceMesh
 {
-  /// Triangles of polygons and strips; only points that a triangle uses.
+  /// Triangles of polygons and strips; only points that a triangle uses, or all (TakePoints).
   SphericalStyle::TriangleMesh Mesh;
   /// The same triangles by input points, m x 3.
   Eigen::Matrix<vtkIdType, Eigen::Dynamic, 3, Eigen::RowMajor> Corners;
-  /// Mesh point of each input point; NotMoved for points of no triangle.
+  /// Mesh point of each input point; NotMoved for points that are not taken.
   std::vector<int> MeshPoint;
   static constexpr int NotMoved = -1;
 
@@ -36,6 +37,12 @@ struct vtkSurfaceMesh
 
 namespace vtkSurfaceMeshConversion
 {
+enum class TakePoints
+{
+  OfTriangles,
+  All
+};
+
 /// @param weld  coincident input points become one mesh point
 /// Triangles with an angle below 1e-10 (area against the longest edge), or that use a mesh point
 /// twice, are skipped and counted; polygons that cannot be triangulated become fans and are
@@ -43,7 +50,8 @@ namespace vtkSurfaceMeshConversion
 /// @throw std::invalid_argument naming the first point that is not finite, the first cell with a
 ///        point id out of range, active normals of another number than points or cells, or too many
 ///        points
-vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld);
+vtkSurfaceMesh FromPolyData(
+  vtkPolyData* input, bool weld, TakePoints take = TakePoints::OfTriangles);
 
 /// What a point array must be like.
 struct ArrayRule
@@ -53,6 +61,14 @@ struct ArrayRule
   double Minimum;
   double Maximum;
 };
+
+/// The point array that an algorithm is told to process, or nullptr where none is asked for: unset,
+/// or set back to "None" by a user interface, and then no array of the attribute type either.
+/// @param wanted  vtkAlgorithm::GetInputArrayInformation
+/// @param attribute  active attribute to take where none is named, -1 for none
+/// @throw std::invalid_argument naming purpose and array that is not there
+vtkDataArray* FindPointArray(
+  vtkInformation* wanted, vtkPolyData* input, const char* purpose, int attribute = -1);
 
 /// The array as one row per mesh point, the mean over coincident input points.
 /// @throw std::invalid_argument naming purpose, array and the first offending point
@@ -65,9 +81,13 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 void AddPointArray(
   vtkPolyData* output, const vtkSurfaceMesh& surface, const char* name, int type, const Rows& rows);
 
+/// The array Displacement: output minus input point, in the number type of the output's points.
+void AddDisplacement(vtkPolyData* output, vtkPolyData* input);
+
 /// Gives the output (a shallow copy of the input) the moved points Q and what follows from them:
 /// point normals if it had some or `generate` is set, cell normals if it had some. Points that do
-/// not move keep their bits, or the nearest of the new number type.
+/// not move keep their bits, or the nearest of the new number type, and so do normals of points
+/// that no moved triangle touches.
 /// @param precision  vtkAlgorithm::DesiredOutputPrecision
 void ReplacePoints(vtkPolyData* output, const vtkSurfaceMesh& surface,
   const SphericalStyle::Points& Q, int precision, bool generateNormals);

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the filters do alike and the solver knows nothing of. Private.
+#ifndef vtkFilterSupport_h
+#define vtkFilterSupport_h
+
+#include "vtkType.h" // for vtkIdType
+
+#include <string>
+
+class vtkAlgorithm;
+
+namespace vtkFilterSupport
+{
+/// @throw std::invalid_argument "name must be ...; it is value"
+void Require(bool good, const char* name, const char* must, double value);
+
+/// @param wanted  0: VTK_SMP_MAX_THREADS or else all cores
+int ThreadsToUse(int wanted);
+
+/// Whether somebody asked the running filter to end. Asks the pipeline, so not from threads.
+bool Aborted(vtkAlgorithm* self);
+
+/// "1 triangle", "2 triangles"
+std::string Count(vtkIdType n, const char* noun);
+
+/// For PrintSelf.
+const char* OnOff(bool on);
+std::string Triple(const double* x);
+}
+
+#endif
