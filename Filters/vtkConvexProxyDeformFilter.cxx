@@ -58,7 +58,7 @@ enum InputArrays
   NORMALS = 0,
   DIRECTIONS = 1,
   BLEND_ARRAY = 2,
-  REGION = 3
+  REGION_MASK = 3
 };
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
@@ -72,6 +72,28 @@ constexpr double ManyTurnedOver = 1e-3;
 double Diagonal(const Points& P)
 {
   return P.rows() > 0 ? (P.colwise().maxCoeff() - P.colwise().minCoeff()).stableNorm() : 0.0;
+}
+
+/// The triangles of input 1. @throw std::invalid_argument naming the proxy
+SphericalStyle::TriangleMesh OwnProxy(vtkPolyData* input)
+{
+  SphericalStyle::TriangleMesh mesh;
+  if (input->GetNumberOfPoints() > 0)
+  {
+    try
+    {
+      mesh = vtkSurfaceMeshConversion::FromPolyData(input, true).Mesh;
+    }
+    catch (const std::invalid_argument& error)
+    {
+      throw std::invalid_argument(std::string("Proxy: ") + error.what());
+    }
+  }
+  if (mesh.F.rows() == 0)
+  {
+    throw std::invalid_argument("Proxy: input 1 has no triangle with an area");
+  }
+  return mesh;
 }
 
 void FillProxy(vtkPolyData* output, const SphericalStyle::DeformedProxy& proxy,
@@ -137,7 +159,7 @@ struct vtkConvexProxyDeformFilter::Internals
     vtkPolyData* input, vtkSelection* selection);
   /// t of every mesh point and axis. @param perAxis  whether an array of 3 components gave it
   static Points BlendWeights(vtkConvexProxyDeformFilter* self, const vtkSurfaceMesh& surface,
-    vtkPolyData* input, vtkSelection* selection, bool& perAxis);
+    vtkPolyData* input, const std::vector<char>& region, bool& perAxis);
   static ProxyDeformationOptions MakeOptions(vtkConvexProxyDeformFilter* self,
     const vtkSurfaceMesh& surface, vtkPolyData* input, vtkPolyData* ownProxy);
   void AttachArrays(vtkConvexProxyDeformFilter* self, const vtkSurfaceMesh& surface, const Rows& t,
@@ -191,7 +213,7 @@ Points vtkConvexProxyDeformFilter::Internals::Gather(vtkConvexProxyDeformFilter*
 std::vector<char> vtkConvexProxyDeformFilter::Internals::Region(vtkConvexProxyDeformFilter* self,
   const vtkSurfaceMesh& surface, vtkPolyData* input, vtkSelection* selection)
 {
-  const Points mask = Gather(self, REGION, 1, surface, input);
+  const Points mask = Gather(self, REGION_MASK, 1, surface, input);
   if (mask.rows() == 0 && !selection)
   {
     return {};
@@ -220,7 +242,7 @@ std::vector<char> vtkConvexProxyDeformFilter::Internals::Region(vtkConvexProxyDe
 }
 
 Points vtkConvexProxyDeformFilter::Internals::BlendWeights(vtkConvexProxyDeformFilter* self,
-  const vtkSurfaceMesh& surface, vtkPolyData* input, vtkSelection* selection, bool& perAxis)
+  const vtkSurfaceMesh& surface, vtkPolyData* input, const std::vector<char>& region, bool& perAxis)
 {
   const Points& P = surface.Mesh.P;
   Points t;
@@ -253,7 +275,6 @@ Points vtkConvexProxyDeformFilter::Internals::BlendWeights(vtkConvexProxyDeformF
     o.steepness = self->TanhSteepness;
     t = SphericalStyle::BlendAlongAxis(P, o).replicate<1, 3>();
   }
-  const std::vector<char> region = Region(self, surface, input, selection);
   if (!region.empty())
   {
     const Eigen::VectorXd inside = SphericalStyle::BorderWeights(
@@ -285,11 +306,7 @@ ProxyDeformationOptions vtkConvexProxyDeformFilter::Internals::MakeOptions(
   o.threads = ThreadsToUse(self->NumberOfThreads);
   if (ownProxy)
   {
-    o.ownProxy = vtkSurfaceMeshConversion::FromPolyData(ownProxy, true).Mesh;
-    if (o.ownProxy.F.rows() == 0)
-    {
-      throw std::invalid_argument("Proxy: input 1 has no triangle with an area");
-    }
+    o.ownProxy = OwnProxy(ownProxy);
   }
   if (self->Projection == SMALLEST_ANGLE)
   {
@@ -416,7 +433,7 @@ void vtkConvexProxyDeformFilter::Internals::SetFacts(vtkConvexProxyDeformFilter*
   std::copy_n(report.caseCounts.data(), 3, self->ProjectionCaseCounts);
   self->ProjectionError = diagonal > 0.0 ? report.projectionError / diagonal : 0.0;
   std::copy_n(report.style.sphere.center.data(), 3, self->EffectiveCenter);
-  self->EffectiveRadius = report.style.sphere.radius;
+  self->EffectiveRadius = proxyPoints > 0 ? report.style.sphere.radius : 0.0;
 }
 
 //------------------------------------------------------------------------------------------------
@@ -427,7 +444,7 @@ vtkConvexProxyDeformFilter::vtkConvexProxyDeformFilter()
   this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(
     NORMALS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::NORMALS);
-  for (const int index : { DIRECTIONS, BLEND_ARRAY, REGION })
+  for (const int index : { DIRECTIONS, BLEND_ARRAY, REGION_MASK })
   {
     this->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
   }
@@ -490,7 +507,15 @@ int vtkConvexProxyDeformFilter::RequestData(
     Internals::CheckProperties(this);
     surface = Conversion::FromPolyData(input, true, Conversion::TakePoints::All);
     ProxyDeformationOptions options = Internals::MakeOptions(this, surface, input, ownProxy);
-    options.t = t = Internals::BlendWeights(this, surface, input, selection, perAxis);
+    const std::vector<char> region = Internals::Region(this, surface, input, selection);
+    options.t = t = Internals::BlendWeights(this, surface, input, region, perAxis);
+    for (std::size_t i = 0; i < region.size() && this->HullOf == REGION; ++i)
+    {
+      if (region[i])
+      {
+        options.hullPoints.push_back(static_cast<int>(i));
+      }
+    }
     this->SetProgressText("Rounding the proxy");
     report = this->Internal->Deformation.Deform(surface.Mesh, options,
       [this](double share)
@@ -532,6 +557,7 @@ void vtkConvexProxyDeformFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ProxyMesher: " << this->ProxyMesher << "\n";
+  os << indent << "HullOf: " << this->HullOf << "\n";
   os << indent << "NumberOfProxyPoints: " << this->NumberOfProxyPoints << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "Roundness: " << this->Roundness << "\n";

@@ -89,6 +89,11 @@ public:
     ADVANCING_FRONT = 2,
     SUBDIVIDED_HULL = 3
   };
+  enum HullSources
+  {
+    WHOLE_MODEL = 0,
+    REGION = 1
+  };
   enum CenterModes
   {
     POINT_MEAN = 0,
@@ -152,6 +157,18 @@ public:
   void SetProxyMesherToBallPivoting() { this->SetProxyMesher(BALL_PIVOTING); }
   void SetProxyMesherToAdvancingFront() { this->SetProxyMesher(ADVANCING_FRONT); }
   void SetProxyMesherToSubdividedHull() { this->SetProxyMesher(SUBDIVIDED_HULL); }
+  ///@}
+
+  ///@{
+  /**
+   * Whose hull is taken where a region is given: Region (default; a head becomes round in itself)
+   * or WholeModel (it is pulled to the ball of the whole model). A region that lies in a plane
+   * takes the whole model's.
+   */
+  vtkSetClampMacro(HullOf, int, WHOLE_MODEL, REGION);
+  vtkGetMacro(HullOf, int);
+  void SetHullOfToWholeModel() { this->SetHullOf(WHOLE_MODEL); }
+  void SetHullOfToRegion() { this->SetHullOf(REGION); }
   ///@}
 
   ///@{
@@ -386,9 +403,10 @@ public:
   /**
    * Facts of the last execution: points of the proxy; the mesher that made it (a ProxyMeshers, -1
    * for a proxy of your own); volume of the model over that of its hull (NaN if the model is not
-   * closed or the proxy your own); triangles that turned over; points in each ProjectionCase
-   * (NearestVertices); largest surplus of such a foot's distance over that of the closest point, as
-   * a fraction of the diagonal (NearestVertices); the centre and radius that were used.
+   * closed, or the proxy your own or that of a region); triangles that turned over; points in each
+   * ProjectionCase (NearestVertices); largest surplus of such a foot's distance over that of the
+   * closest point, as a fraction of the diagonal (NearestVertices); the centre and radius that were
+   * used.
    */
   vtkGetMacro(EffectiveNumberOfProxyPoints, int);
   vtkGetMacro(EffectiveProxyMesher, int);
@@ -412,6 +430,7 @@ private:
   void operator=(const vtkConvexProxyDeformFilter&) = delete;
 
   int ProxyMesher = ISOTROPIC_REMESHING;
+  int HullOf = REGION;
   int NumberOfProxyPoints = 5000;
   int Seed = 0;
   double Roundness = 5.0;

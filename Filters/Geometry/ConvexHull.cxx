@@ -13,12 +13,14 @@
 #include <CGAL/property_map.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -26,6 +28,10 @@ namespace SphericalStyle
 {
 namespace
 {
+// How far the hull may stay inside of a point, as a fraction of the extent: what double precision
+// leaves of planes that do not lie along the axes, also far from the origin.
+constexpr double Noise = 1e-10;
+
 /// Axes of the points around their mean, the longest extent first.
 Points PrincipalCoordinates(const Points& P)
 {
@@ -140,6 +146,80 @@ SurfaceMesh DelaunayHull(std::vector<Point3> corners)
   return mesh;
 }
 
+/// Whether rounding alone keeps a point of the surface from lying inside of a facet or of an edge:
+/// its triangles are needles, or stand in directions that mean nothing.
+bool IsNoise(const SurfaceMesh& mesh, SurfaceMesh::Vertex_index v, double extent)
+{
+  constexpr std::size_t MostPairs = 200;
+  const auto from = [&](SurfaceMesh::Vertex_index u)
+  {
+    const auto e = mesh.point(u) - mesh.point(v);
+    return Eigen::Vector3d(e.x() / extent, e.y() / extent, e.z() / extent);
+  };
+  std::vector<Eigen::Vector3d> ring;
+  for (const auto u : mesh.vertices_around_target(mesh.halfedge(v)))
+  {
+    ring.push_back(from(u));
+  }
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    normal += ring[i].cross(ring[(i + 1) % ring.size()]);
+  }
+  normal = normal.stableNormalized();
+  if (std::all_of(ring.begin(), ring.end(),
+        [&](const Eigen::Vector3d& e) { return std::abs(normal.dot(e)) <= Noise; }))
+  {
+    return true;
+  }
+  for (std::size_t i = 0; i < ring.size() && ring.size() <= MostPairs; ++i)
+  {
+    for (std::size_t k = 0; k < i; ++k)
+    {
+      const Eigen::Vector3d& a = ring[i];
+      const Eigen::Vector3d& b = ring[k];
+      if (a.dot(b) < 0.0 && a.cross(b).norm() <= Noise * (a - b).norm())
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The hull of the corners without those that are noise. Of neighbours one goes at a time, so that
+/// round surfaces of many points keep their shape.
+SurfaceMesh HullWithoutNoise(std::vector<Point3> corners, double extent)
+{
+  for (;;)
+  {
+    SurfaceMesh mesh = DelaunayHull(corners);
+    std::map<Point3, SurfaceMesh::Vertex_index> byPlace;
+    for (const auto v : mesh.vertices())
+    {
+      byPlace[mesh.point(v)] = v;
+    }
+    std::vector<char> stays(mesh.num_vertices(), 0);
+    corners.clear();
+    for (const auto& [place, v] : byPlace)
+    {
+      if (stays[v] != 0 || !IsNoise(mesh, v, extent))
+      {
+        corners.push_back(place);
+        continue;
+      }
+      for (const auto u : mesh.vertices_around_target(mesh.halfedge(v)))
+      {
+        stays[u] = 1;
+      }
+    }
+    if (corners.size() == byPlace.size())
+    {
+      return mesh;
+    }
+  }
+}
+
 /// Points by coordinates, triangles by points.
 TriangleMesh Sorted(const TriangleMesh& mesh)
 {
@@ -198,7 +278,8 @@ Hull ConvexHull(const Points& P)
     }
     SurfaceMesh mesh;
     CGAL::convex_hull_3(points.begin(), points.end(), mesh);
-    hull.mesh = Sorted(ToTriangleMesh(DelaunayHull(Corners(mesh))));
+    const double extent = (P.colwise().maxCoeff() - P.colwise().minCoeff()).maxCoeff();
+    hull.mesh = Sorted(ToTriangleMesh(HullWithoutNoise(Corners(mesh), extent)));
   }
   return hull;
 }

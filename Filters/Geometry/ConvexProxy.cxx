@@ -111,6 +111,15 @@ bool HasNeedle(const TriangleMesh& mesh)
   return false;
 }
 
+/// A power of two near the size of the points: divided by it, which changes no digit, the squares
+/// of lengths that the meshers take stay in range.
+double UnitOf(const Points& P)
+{
+  int exponent = 0;
+  std::frexp((P.colwise().maxCoeff() - P.colwise().minCoeff()).maxCoeff(), &exponent);
+  return std::ldexp(1.0, exponent - 1);
+}
+
 /// Puts the mesh of the sampling meshers into the proxy, or the reason why it cannot be used.
 void MeshSamples(ConvexProxy& proxy, const TriangleMesh& hull, const ConvexProxyOptions& options)
 {
@@ -141,13 +150,15 @@ ConvexProxy MakeConvexProxy(const Points& P, const ConvexProxyOptions& options)
   {
     throw std::invalid_argument("a proxy needs 4 points or more");
   }
-  const Hull hull = ConvexHull(P);
+  Hull hull = ConvexHull(P);
   if (hull.dimension < 2)
   {
     throw std::invalid_argument(hull.dimension == 1
         ? "all points lie on one line: they have no convex hull with a surface"
         : "all points lie at one place: they have no convex hull");
   }
+  const double unit = UnitOf(P);
+  hull.mesh.P /= unit;
   ConvexProxy proxy;
   proxy.flat = hull.dimension == 2;
   proxy.hullVolume = proxy.flat ? 0.0 : EnclosedVolume(hull.mesh.P, hull.mesh.F);
@@ -174,6 +185,8 @@ ConvexProxy MakeConvexProxy(const Points& P, const ConvexProxyOptions& options)
   {
     proxy.mesh = MeshHull(hull.mesh, options.numberOfPoints, 1.08, IsotropicRemeshing);
   }
+  proxy.mesh.P *= unit;
+  proxy.hullVolume *= unit * unit * unit;
   return proxy;
 }
 } // namespace SphericalStyle

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProxyDeformation.h"
 
+#include "ConvexHull.h"
 #include "Stopwatch.h"
 #include "SurfaceMeasures.h"
 
@@ -66,6 +67,11 @@ double ConvexityRatio(const TriangleMesh& model, double hullVolume)
     : std::numeric_limits<double>::quiet_NaN();
 }
 
+bool HasVolume(const Points& P, const std::vector<int>& part)
+{
+  return !part.empty() && ConvexHull(P(part, Eigen::all)).dimension == 3;
+}
+
 /// A flat proxy becomes the disc of its area: the sphere of that area would halve it.
 void TakeDiscRadius(const TriangleMesh& proxy, StyleOptions& style)
 {
@@ -102,6 +108,7 @@ public:
   ProxyDeformationOptions Last;
 
   ConvexProxy Proxy;
+  bool OfPart = false; // whether it is the hull of some of the points
   StyleSolver Solver;
   StyleReport Rounding;
   DeformedProxy Deformed;
@@ -127,18 +134,23 @@ void ProxyDeformation::State::MakeProxy(
   this->HasProxy = this->HasProxy && (own || sameModel);
   this->ModelPoints = model.P;
   if (this->HasProxy && Same(options.ownProxy, this->Last.ownProxy) &&
-    (own || Same(options.convexProxy, this->Last.convexProxy)))
+    (own ||
+      (Same(options.convexProxy, this->Last.convexProxy) &&
+        options.hullPoints == this->Last.hullPoints)))
   {
     return;
   }
   this->HasProxy = this->HasRounding = this->HasFeet = false;
   const Stopwatch watch;
-  this->Proxy = own ? ConvexProxy() : MakeConvexProxy(model.P, options.convexProxy);
+  this->OfPart = !own && HasVolume(model.P, options.hullPoints);
+  const Points P = this->OfPart ? Points(model.P(options.hullPoints, Eigen::all)) : model.P;
+  this->Proxy = own ? ConvexProxy() : MakeConvexProxy(P, options.convexProxy);
   this->Deformed.rest = own ? options.ownProxy : std::move(this->Proxy.mesh);
   this->Solver.SetMesh(this->Deformed.rest);
   this->Searches = std::make_unique<SurfaceProjection>(this->Deformed.rest);
   this->Last.ownProxy = options.ownProxy;
   this->Last.convexProxy = options.convexProxy;
+  this->Last.hullPoints = options.hullPoints;
   this->HasProxy = true;
   this->Report.seconds.proxy = watch.Seconds();
 }
@@ -266,7 +278,7 @@ ProxyDeformationReport ProxyDeformation::Deform(const TriangleMesh& model,
   report.style = s.Rounding;
   report.flat = s.Proxy.flat;
   report.fallback = s.Proxy.fallback;
-  report.convexityRatio = ConvexityRatio(model, s.Proxy.hullVolume);
+  report.convexityRatio = ConvexityRatio(model, s.OfPart ? 0.0 : s.Proxy.hullVolume);
   report.projectionError = s.Surplus;
   for (const int number : s.FeetOfPoints.projectionCase)
   {

@@ -12,6 +12,8 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace SphericalStyle
 {
@@ -28,6 +30,8 @@ struct ProxyDeformationOptions
 {
   ConvexProxyOptions convexProxy;
   TriangleMesh ownProxy; ///< in the place of the convex proxy, if it has triangles
+  /// Points whose hull is taken, ascending; all if empty, or if these lie in a plane.
+  std::vector<int> hullPoints;
   StyleOptions style;    ///< how the proxy is rounded
   Projection projection = Projection::ClosestPoint;
   int neighbors = 4; ///< k of NearestVertices
@@ -45,8 +49,8 @@ struct ProxyDeformationReport
   bool aborted = false;
   bool flat = false;    ///< the model lies in a plane, and so does its proxy
   std::string fallback; ///< why the convex proxy was remeshed instead; empty if it was not
-  /// Volume of the model over that of its hull; NaN for models that are not closed, and with an own
-  /// proxy.
+  /// Volume of the model over that of its hull; NaN for models that are not closed, and where the
+  /// proxy is an own one or that of a part.
   double convexityRatio = 0.0;
   int turnedOver = 0;                       ///< triangles, see CountTurnedOver
   int withoutHit = 0;                       ///< points whose direction meets no proxy
@@ -68,7 +72,7 @@ struct ProxyDeformationReport
 /// | change                              | redone                             |
 /// |-------------------------------------|------------------------------------|
 /// | points of the model, mesher, number | all                                |
-/// | seed (sampling meshers), own proxy  | all                                |
+/// | seed, own proxy, hull points        | all                                |
 /// | roundness, centre, radius           | rounding, transfer                 |
 /// | projection, normals, directions     | projection, transfer               |
 /// | t, transfer, gain                   | transfer                           |

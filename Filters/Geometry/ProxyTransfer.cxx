@@ -94,8 +94,8 @@ int CountTurnedOver(const Points& P, const Points& Q, const Triangles& F, const 
   {
     const Eigen::Vector3d before = normal(P, f);
     const Eigen::Vector3d after = normal(Q, f);
-    const Eigen::Vector3d turned = (rotations[F(f, 0)] + rotations[F(f, 1)] + rotations[F(f, 2)]) *
-      before.stableNormalized();
+    const Eigen::Vector3d turned =
+      (rotations[F(f, 0)] + rotations[F(f, 1)] + rotations[F(f, 2)]) * before.stableNormalized();
     count += after.stableNorm() > NoArea * before.stableNorm() &&
       turned.dot(after.stableNormalized()) < 0.0;
   }
