@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of vtkConvexProxyDeformFilter share beyond FilterTesting.h.
+#ifndef ConvexProxyTesting_h
+#define ConvexProxyTesting_h
+
+#include "FilterTesting.h"
+
+#include "vtkConvexProxyDeformFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+
+namespace FilterTesting
+{
+constexpr int OfPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+constexpr int OfCells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+
+/// Indices of the input arrays to process.
+enum ProxyArrays
+{
+  NormalsArray = 0,
+  DirectionsArray = 1,
+  BlendArray = 2,
+  RegionArray = 3
+};
+
+/// The filter, with its messages caught instead of printed and its executions counted. Small
+/// proxies, so that tests are quick.
+class WatchedProxyFilter
+{
+public:
+  WatchedProxyFilter()
+  {
+    this->Watch(this->Filter, vtkCommand::ErrorEvent, this->Errors);
+    this->Watch(this->Filter, vtkCommand::WarningEvent, this->Warnings);
+    // The executive adds that the algorithm has failed; not counted, it is not ours.
+    this->Watch(this->Filter->GetExecutive(), vtkCommand::ErrorEvent, this->ExecutiveErrors);
+    this->Watch(this->Filter, vtkCommand::StartEvent, this->Starts);
+    this->Filter->SetNumberOfProxyPoints(300);
+  }
+
+  explicit WatchedProxyFilter(vtkPolyData* input)
+    : WatchedProxyFilter()
+  {
+    this->Filter->SetInputData(input);
+  }
+
+  vtkConvexProxyDeformFilter* operator->() { return this->Filter; }
+  vtkConvexProxyDeformFilter* Get() { return this->Filter; }
+
+  vtkPolyData* Output(int port = 0)
+  {
+    this->Filter->Update();
+    return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(port));
+  }
+
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+  std::vector<std::string> ExecutiveErrors;
+  std::vector<std::string> Starts; ///< one per execution
+
+private:
+  static void Watch(vtkObject* object, unsigned long event, std::vector<std::string>& into)
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(&into);
+    command->SetCallback(
+      [](vtkObject*, unsigned long, void* messages, void* text)
+      {
+        static_cast<std::vector<std::string>*>(messages)->emplace_back(
+          text ? static_cast<const char*>(text) : "");
+      });
+    object->AddObserver(event, command);
+  }
+
+  vtkNew<vtkConvexProxyDeformFilter> Filter;
+};
+
+/// All messages in one line, for the text of a check.
+inline std::string Joined(const std::vector<std::string>& messages)
+{
+  std::string all;
+  for (const std::string& message : messages)
+  {
+    all += " | " + message;
+  }
+  return all;
+}
+
+inline Vector TupleOf(vtkDataArray* array, vtkIdType i)
+{
+  Vector x = { 0.0, 0.0, 0.0 };
+  for (int k = 0; k < std::min(3, array->GetNumberOfComponents()); ++k)
+  {
+    x[k] = array->GetComponent(i, k);
+  }
+  return x;
+}
+
+inline vtkDataArray* PointArray(vtkPolyData* surface, const char* name)
+{
+  return surface->GetPointData()->GetArray(name);
+}
+
+/// An array of doubles, one tuple a point, filled by its id.
+inline vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, vtkPolyData* surface,
+  int components, const std::function<double(vtkIdType, int)>& value)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(surface->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    for (int k = 0; k < components; ++k)
+    {
+      array->SetComponent(i, k, value(i, k));
+    }
+  }
+  return array;
+}
+
+inline vtkSmartPointer<vtkSelection> MakeSelection(
+  const std::vector<vtkIdType>& ids, int field, int content = vtkSelectionNode::INDICES)
+{
+  vtkNew<vtkIdTypeArray> list;
+  for (const vtkIdType id : ids)
+  {
+    list->InsertNextValue(id);
+  }
+  vtkNew<vtkSelectionNode> node;
+  node->SetFieldType(field);
+  node->SetContentType(content);
+  node->SetSelectionList(list);
+  auto selection = vtkSmartPointer<vtkSelection>::New();
+  selection->AddNode(node);
+  return selection;
+}
+
+/// sum_k b_k x_k at the foot of point i, by the arrays of the filter.
+inline Vector AtFoot(vtkPolyData* output, vtkPolyData* proxy, vtkIdType i,
+  const std::function<Vector(vtkIdType)>& x, vtkIdList* ids)
+{
+  const auto cell = static_cast<vtkIdType>(PointArray(output, "ProxyCell")->GetComponent(i, 0));
+  const Vector b = TupleOf(PointArray(output, "Barycentric"), i);
+  Vector sum = { 0.0, 0.0, 0.0 };
+  proxy->GetPolys()->GetCellAtId(cell, ids);
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vector corner = x(ids->GetId(k));
+    for (int d = 0; d < 3; ++d)
+    {
+      sum[d] += b[k] * corner[d];
+    }
+  }
+  return sum;
+}
+
+/// Largest distance of an output point from sum b q'_k: 0 where t is 0.
+inline double LargestDistanceFromProxy(vtkPolyData* output, vtkPolyData* proxy)
+{
+  vtkNew<vtkIdList> ids;
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const Vector q = AtFoot(
+      output, proxy, i, [&](vtkIdType k) { return PointOf(proxy, k); }, ids);
+    const double d = Distance(q, PointOf(output, i));
+    largest = d <= largest ? largest : d;
+  }
+  return largest;
+}
+
+/// Largest distance between points that coincide in `before`.
+inline double LargestGap(vtkPolyData* before, vtkPolyData* after)
+{
+  double largest = 0.0;
+  for (const Cell& group : CoincidentPoints(before))
+  {
+    for (const vtkIdType i : group)
+    {
+      const double d = Distance(PointOf(after, group[0]), PointOf(after, i));
+      largest = d <= largest ? largest : d;
+    }
+  }
+  return largest;
+}
+
+/// The model of which a change of the same filter is checked: an ellipsoid with a dent and a few
+/// loose points.
+inline Surface MakeDented(int type = VTK_DOUBLE)
+{
+  Surface surface = Mapped(
+    MakeEllipsoid({ 1.0, 0.8, 2.0 }),
+    [](const Vector& x)
+    {
+      const double dent = x[0] > 0.5 ? 0.85 : 1.0;
+      return Vector{ dent * x[0] + 0.1, x[1] - 0.2, x[2] + 0.3 };
+    },
+    type);
+  surface->GetPoints()->InsertNextPoint(0.0, 0.1, 0.2);
+  surface->GetPoints()->InsertNextPoint(-0.3, 0.1, 1.2);
+  return surface;
+}
+}
+
+#endif
