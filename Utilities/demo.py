@@ -41,6 +41,7 @@ SERIES_DETAIL_SIZE = [0.0, 0.03]  # rows
 
 CLAY = (0.88, 0.62, 0.47)
 INK = (0.25, 0.22, 0.20)
+RED = (0.80, 0.12, 0.10)
 VIEW_ANGLE = 24.0  # degrees; narrow, so that near parts do not swell
 
 
@@ -239,9 +240,22 @@ def add_text(renderer, text, x, y, points):
     renderer.AddActor2D(actor)
 
 
+def lines_of(lines):
+    """Thin red lines."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(lines)
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(RED)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
 def picture(path, size, panels, up, view, points):
-    """Write a PNG of rows of (surface, label), all in the same scale and from the same side."""
-    surfaces = [surface for row in panels for surface, _ in row]
+    """Write a PNG of rows of (surface, label[, lines[, view]]), all in the same scale, from the same
+    side unless a panel has a view of its own."""
+    surfaces = [panel[0] for row in panels for panel in row]
     seen = 0.9 * max(half_size(surface) for surface in surfaces)
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
@@ -249,15 +263,17 @@ def picture(path, size, panels, up, view, points):
     window.SetMultiSamples(8)
     for r, row in enumerate(panels):
         top = 1.0 - r / len(panels)
-        for c, (surface, label) in enumerate(row):
+        for c, (surface, label, *more) in enumerate(row):
             renderer = vtkRenderer()
             renderer.SetViewport(c / len(row), top - 1.0 / len(panels), (c + 1) / len(row), top)
             renderer.SetBackground(1.0, 1.0, 1.0)
             renderer.AutomaticLightCreationOff()
             renderer.AddActor(actor_of(surface))
+            if more and more[0]:
+                renderer.AddActor(lines_of(more[0]))
             soft_light(renderer)
             window.AddRenderer(renderer)
-            place_camera(renderer, surface, seen, up, view)
+            place_camera(renderer, surface, seen, up, more[1] if len(more) > 1 else view)
             add_text(renderer, label, 0.5, 0.045, points)
     window.Render()
     image = vtkWindowToImageFilter()

@@ -2,31 +2,49 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Make the pictures of this folder's pages, in pictures/.
 
-    PYTHONPATH=BUILD/lib/python3/dist-packages pvpython make_pictures.py
+    PYTHONPATH=BUILD/lib/python3/dist-packages pvpython make_pictures.py [NAME ...]
+
+NAME: pictures to make, as car for car.png; all without one.
 """
 import pathlib
 import sys
 
+import numpy as np
 from PIL import Image
+from vtkmodules.util import numpy_support
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.path.insert(0, str(ROOT / "Utilities"))
 
 import demo  # noqa: E402, the demo's pictures look the same
-from sphericalstyle import vtkSphericalStyleFilter  # noqa: E402
+from sphericalstyle import vtkConvexProxyDeformFilter, vtkSphericalStyleFilter  # noqa: E402
+
+
+def run(deform, surface, properties):
+    """The executed filter."""
+    deform.SetInputData(surface)
+    for name, value in properties.items():
+        getattr(deform, f"Set{name}")(value)
+    deform.Update()
+    return deform
 
 
 def rounded(surface, **properties):
-    style = vtkSphericalStyleFilter()
-    style.SetInputData(surface)
-    for name, value in properties.items():
-        getattr(style, f"Set{name}")(value)
-    style.Update()
-    return style.GetOutput()
+    return run(vtkSphericalStyleFilter(), surface, properties).GetOutput()
+
+
+def proxied(surface, **properties):
+    return run(vtkConvexProxyDeformFilter(), surface, properties).GetOutput()
+
+
+def projection_lines(surface, **properties):
+    return run(vtkConvexProxyDeformFilter(), surface, properties).GetOutput(2)
 
 
 def picture(name, size, panels, view, points):
+    if len(sys.argv) > 1 and pathlib.Path(name).stem not in sys.argv[1:]:
+        return
     file = HERE / "pictures" / name
     demo.picture(file, size, panels, "y", view, points)
     Image.open(file).convert("RGB").quantize(128).save(file, optimize=True)  # a third of the size
@@ -63,4 +81,75 @@ picture("center.png", (1000, 330), [[
     (rounded(cube, Roundness=1.0), "center: Point Mean"),
     (around(-0.15), "0.15 below the top"),
     (around(0.15), "0.15 above the top"),
+]], 25.0, 13)
+
+# --------------------------------------------------------------------------------- ConvexProxyDeform
+car = demo.read(ROOT / "Data" / "car.vtp")
+bottle = demo.read(ROOT / "Data" / "bottle.vtp")
+house = demo.read(ROOT / "Data" / "stone-house.vtp")
+
+picture("car.png", (1200, 560), [[
+    (car, "model"),
+    (rounded(car, Roundness=0.5), "Spherical Style, Roundness 0.5"),
+    (proxied(car, Blend=0.5), "Convex Proxy Deform, t = 0.5"),
+], [
+    (proxied(car, Blend=0.8), "t = 0.8"),
+    (proxied(car, Blend=0.2), "t = 0.2"),
+    (proxied(car, Blend=0.2, Transfer=1), "t = 0.2, Transfer Offset"),
+]], 40.0, 14)
+
+picture("axis-gain.png", (1000, 330), [[
+    (proxied(car), "t = 0.5"),
+    (proxied(car, AxisGain=(1.0, 1.5, 1.0)), "AxisGain 1, 1.5, 1"),
+    (proxied(car, AxisGain=(1.0, 1.0, 1.5)), "AxisGain 1, 1, 1.5"),
+]], 40.0, 14)
+
+part = {"BlendRange": (0.0, 0.55), "BlendAtStart": 0.0, "BlendAtEnd": 1.0}
+runs = [({"BlendFunction": 2}, "Quadratic"), ({"BlendFunction": 1, **part}, "Linear, lower part"),
+        ({"BlendFunction": 3, **part}, "Tanh, lower part")]
+picture("bottle.png", (1200, 480), [
+    [(bottle, "projection lines", projection_lines(bottle))] +
+    [(proxied(bottle, **properties), label) for properties, label in runs]], 25.0, 14)
+
+# The head without the raised paw; t falls from 1 at the neck to 0.2 at the top.
+x, y, _ = numpy_support.vtk_to_numpy(creature.GetPoints().GetData()).T
+head = numpy_support.numpy_to_vtk(((y > 0.52) & ((x < 0.26) | (y > 0.78))).astype(float), deep=True)
+head.SetName("Head")
+with_head = creature.NewInstance()
+with_head.ShallowCopy(creature)
+with_head.GetPointData().AddArray(head)
+
+
+def round_head(function):
+    deform = vtkConvexProxyDeformFilter()
+    deform.SetInputArrayToProcess(3, 0, 0, 0, "Head")
+    return run(deform, with_head, {"BlendFunction": function, "BlendRange": (0.5, 1.0),
+                                   "BlendAtStart": 1.0, "BlendAtEnd": 0.2}).GetOutput()
+
+
+picture("head.png", (1100, 700), [[
+    (creature, "model", None, view),
+    (round_head(1), "head, Linear", None, view),
+    (round_head(2), "head, Quadratic", None, view),
+] for view in (25.0, 100.0)], 25.0, 14)
+
+
+def outer_sphere(surface, t):
+    """Each point on its way to the sphere around the model (thesis 4.6.1)."""
+    points = numpy_support.vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    center = points.mean(axis=0)
+    offset = points - center
+    length = np.linalg.norm(offset, axis=1)[:, None]
+    moved = center + (t + (1.0 - t) * length.max() / length) * offset
+    result = surface.NewInstance()
+    result.DeepCopy(surface)
+    result.GetPoints().SetData(numpy_support.numpy_to_vtk(moved, deep=True))
+    return result
+
+
+picture("house.png", (1200, 330), [[
+    (house, "model"),
+    (proxied(house), "proxy, t = 0.5"),
+    (proxied(house, Projection=2), "proxy, Smallest Angle"),
+    (outer_sphere(house, 0.5), "sphere around the model, t = 0.5"),
 ]], 25.0, 13)
