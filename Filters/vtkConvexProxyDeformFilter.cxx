@@ -66,7 +66,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 // Limits of the warnings: share of the hull that the model fills, and of its triangles that turned
 // over. A creature with arms and ears fills half of its hull and does well.
 constexpr double FarFromConvex = 1.0 / 3.0;
-constexpr double ManyTurnedOver = 1e-3;
+constexpr double ManyTurnedOver = 0.01;
 
 /// Corners of the bounds, the length that fractions refer to.
 double Diagonal(const Points& P)
@@ -279,7 +279,8 @@ Points vtkConvexProxyDeformFilter::Internals::BlendWeights(vtkConvexProxyDeformF
   {
     const Eigen::VectorXd inside = SphericalStyle::BorderWeights(
       P, region, self->BorderWidth * Diagonal(P), ThreadsToUse(self->NumberOfThreads));
-    t = (1.0 - (1.0 - t.array()).colwise() * inside.array()).matrix().eval();
+    // This way round t stays what it is well inside, and is 1 outside, to the last bit.
+    t = (t.array() + (1.0 - t.array()).colwise() * (1.0 - inside.array())).matrix().eval();
   }
   return t;
 }

@@ -61,7 +61,7 @@
  * @warning Meant for models that are about convex (thesis 5.4). Elsewhere, points that face each
  * other across a gap go to far places of the proxy, lines from point to foot cross, and triangles
  * turn over. A warning says so where the model fills less than a third of its hull or more than one
- * in a thousand triangles turned over.
+ * in a hundred triangles turned over.
  *
  * @warning Linked with CGAL, which is GPL.
  *
