@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the time of vtkSphericalStyleFilter goes: first result, moved centre, changed Roundness.
+"""Where the time of the filters goes.
 
-usage: measure_stages.py [--runs N] [--detail-size S] [MESH.ply or MESH.vtp ...]
+usage: measure_stages.py [--runs N] [--detail-size S | --proxy] [MESH.ply or MESH.vtp ...]
 
-Medians of N runs in milliseconds, default settings but the detail size; without a mesh the models
-of Data/. Run with PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3.
+vtkSphericalStyleFilter: first result, moved centre, changed Roundness. With --proxy
+vtkConvexProxyDeformFilter: first result, another t. Medians of N runs in milliseconds, default
+settings but the detail size; without a mesh the models of Data/. Run with PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3.
 """
 import argparse
 import glob
@@ -16,7 +17,7 @@ import time
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-from sphericalstyle import vtkSphericalStyleFilter
+from sphericalstyle import vtkConvexProxyDeformFilter, vtkSphericalStyleFilter
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data")
 
@@ -50,16 +51,31 @@ def one_run(surface, detail_size):
     return [first, moved, milliseconds(f), *seconds, iterations]
 
 
+def one_proxy_run(surface):
+    """First, another t, then the stages of the first."""
+    f = vtkConvexProxyDeformFilter()
+    f.SetInputData(surface)
+    first = milliseconds(f)
+    stages = f.GetOutput(1).GetFieldData().GetArray("StageSeconds")
+    seconds = [1e3 * stages.GetComponent(0, k) for k in range(stages.GetNumberOfComponents())]
+    f.SetBlend(0.3)
+    return [first, milliseconds(f), *seconds, f.GetEffectiveNumberOfProxyPoints()]
+
+
 parser = argparse.ArgumentParser()
 parser.add_argument("--runs", type=int, default=5)
 parser.add_argument("--detail-size", type=float, default=0.0)
+parser.add_argument("--proxy", action="store_true")
 parser.add_argument("meshes", nargs="*")
 arguments = parser.parse_args()
 heads = ["first", "centre", "lambda", "base", "weights", "analyze", "factor", "iterate", "iterations"]
-print(f"{'mesh':20s} {'points':>8s} " + " ".join(f"{h:>10s}" for h in heads))
+if arguments.proxy:
+    heads = ["first", "other t", "proxy", "round", "project", "transfer", "proxy points"]
+print(f"{'mesh':20s} {'points':>8s} " + " ".join(f"{h:>12s}" for h in heads))
 for path in arguments.meshes or sorted(glob.glob(os.path.join(DATA, "*.vtp"))):
     surface = read(path)
-    runs = [one_run(surface, arguments.detail_size) for _ in range(arguments.runs)]
+    runs = [one_proxy_run(surface) if arguments.proxy else one_run(surface, arguments.detail_size)
+            for _ in range(arguments.runs)]
     medians = [statistics.median(column) for column in zip(*runs)]
     name = os.path.splitext(os.path.basename(path))[0]
-    print(f"{name:20s} {surface.GetNumberOfPoints():8d} " + " ".join(f"{m:10.1f}" for m in medians))
+    print(f"{name:20s} {surface.GetNumberOfPoints():8d} " + " ".join(f"{m:12.1f}" for m in medians))
