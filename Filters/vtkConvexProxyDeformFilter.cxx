@@ -96,6 +96,20 @@ SphericalStyle::TriangleMesh OwnProxy(vtkPolyData* input)
   return mesh;
 }
 
+/// Where a mark is set.
+std::vector<int> Marked(const std::vector<char>& marks)
+{
+  std::vector<int> result;
+  for (std::size_t i = 0; i < marks.size(); ++i)
+  {
+    if (marks[i])
+    {
+      result.push_back(static_cast<int>(i));
+    }
+  }
+  return result;
+}
+
 void FillProxy(vtkPolyData* output, const SphericalStyle::DeformedProxy& proxy,
   const ProxyDeformationReport& report)
 {
@@ -510,12 +524,9 @@ int vtkConvexProxyDeformFilter::RequestData(
     ProxyDeformationOptions options = Internals::MakeOptions(this, surface, input, ownProxy);
     const std::vector<char> region = Internals::Region(this, surface, input, selection);
     options.t = t = Internals::BlendWeights(this, surface, input, region, perAxis);
-    for (std::size_t i = 0; i < region.size() && this->HullOf == REGION; ++i)
+    if (this->HullOf == REGION)
     {
-      if (region[i])
-      {
-        options.hullPoints.push_back(static_cast<int>(i));
-      }
+      options.hullPoints = Marked(region);
     }
     this->SetProgressText("Rounding the proxy");
     report = this->Internal->Deformation.Deform(surface.Mesh, options,
@@ -524,12 +535,6 @@ int vtkConvexProxyDeformFilter::RequestData(
         this->UpdateProgress(0.1 + 0.9 * share);
         return !Aborted(this);
       });
-  }
-  catch (const SphericalStyle::SolverError& error)
-  {
-    vtkErrorMacro(<< "The proxy cannot be rounded: " << error.what()
-                  << ". SphericalWeighting Cotangent solves nothing");
-    return 0;
   }
   catch (const std::exception& error)
   {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 
 namespace SphericalStyle
@@ -145,7 +146,7 @@ void ProxyDeformation::State::MakeProxy(
   this->OfPart = !own && HasVolume(model.P, options.hullPoints);
   const Points P = this->OfPart ? Points(model.P(options.hullPoints, Eigen::all)) : model.P;
   this->Proxy = own ? ConvexProxy() : MakeConvexProxy(P, options.convexProxy);
-  this->Deformed.rest = own ? options.ownProxy : std::move(this->Proxy.mesh);
+  this->Deformed.rest = own ? options.ownProxy : this->Proxy.mesh;
   this->Solver.SetMesh(this->Deformed.rest);
   this->Searches = std::make_unique<SurfaceProjection>(this->Deformed.rest);
   this->Last.ownProxy = options.ownProxy;
@@ -170,7 +171,15 @@ void ProxyDeformation::State::Round(
   {
     TakeDiscRadius(this->Deformed.rest, style);
   }
-  this->Rounding = this->Solver.Solve(style, callback);
+  try
+  {
+    this->Rounding = this->Solver.Solve(style, callback);
+  }
+  catch (const SolverError& error)
+  {
+    throw SolverError(std::string("the proxy cannot be rounded: ") + error.what() +
+      "; with SphericalWeighting Cotangent there is nothing to solve");
+  }
   this->Deformed.rounded = this->Solver.GetPositions();
   this->Deformed.rotations =
     SurfaceRotations(this->Deformed.rest, this->Deformed.rounded, options.threads);

@@ -32,7 +32,7 @@ struct ProxyDeformationOptions
   TriangleMesh ownProxy; ///< in the place of the convex proxy, if it has triangles
   /// Points whose hull is taken, ascending; all if empty, or if these lie in a plane.
   std::vector<int> hullPoints;
-  StyleOptions style;    ///< how the proxy is rounded
+  StyleOptions style; ///< how the proxy is rounded
   Projection projection = Projection::ClosestPoint;
   int neighbors = 4; ///< k of NearestVertices
   Points normals;    ///< n x 3, for SmallestAngle; computed where absent

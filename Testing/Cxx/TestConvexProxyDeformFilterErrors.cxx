@@ -33,7 +33,7 @@ void Repair(vtkConvexProxyDeformFilter* filter, vtkPolyData* input)
   filter->SetBlendAtEnd(1.0);
   filter->SetTanhSteepness(3.0);
   filter->SetAxisGain(1.0, 1.0, 1.0);
-  filter->SetBorderWidth(0.1);
+  filter->SetBorderWidth(0.2);
   filter->SetProxyConnection(nullptr);
   filter->SetSelectionConnection(nullptr);
   filter->SetInputArrayToProcess(NormalsArray, 0, 0, OfPoints, vtkDataSetAttributes::NORMALS);

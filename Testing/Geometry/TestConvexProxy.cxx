@@ -15,6 +15,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <vector>
 
 using namespace SphericalStyle;
 using Eigen::Matrix3d;
@@ -191,6 +192,30 @@ std::vector<int> ThinOut(const Points& samples, const Points&, double radius)
   }
   return kept;
 }
+
+/// Holes all over the memory: what goes by addresses comes out in another order then.
+class ScatteredMemory
+{
+public:
+  explicit ScatteredMemory(std::uint32_t seed)
+  {
+    Meshes::Random random(seed);
+    for (int i = 0; i < 20000; ++i)
+    {
+      Blocks.emplace_back(static_cast<std::size_t>(16.0 + 2000.0 * random.Unit()));
+    }
+    for (int i = 0; i < 10000; ++i)
+    {
+      std::swap(
+        Blocks[static_cast<std::size_t>(random.Unit() * static_cast<double>(Blocks.size()))],
+        Blocks.back());
+      Blocks.pop_back();
+    }
+  }
+
+private:
+  std::vector<std::vector<char>> Blocks;
+};
 
 ConvexProxyOptions With(ProxyMesher mesher, int numberOfPoints, std::uint32_t seed = 0)
 {
@@ -400,6 +425,22 @@ TriangleMesh AtUnitSize(TriangleMesh mesh, double size)
   return mesh;
 }
 
+// The hull is that of a set: the order of the points does not matter, nor how often they are there.
+void TestOrders()
+{
+  Meshes::Random random(13);
+  for (const Model& model : Models())
+  {
+    const ScatteredMemory memory(14);
+    const Points other = model.P(random.Permutation(static_cast<int>(model.P.rows())), Eigen::all);
+    const Points twice = (Points(2 * other.rows(), 3) << other, model.P).finished();
+    const TriangleMesh hull = ConvexHull(model.P).mesh;
+    CHECK(
+      SameBits(hull, ConvexHull(other).mesh), model.name << ": hull of points in another order");
+    CHECK(SameBits(hull, ConvexHull(twice).mesh), model.name << ": hull of points twice");
+  }
+}
+
 /// What holds for every closed proxy.
 /// @param least  share of the hull's volume; coarse triangles cut much from a needle
 void CheckClosed(
@@ -465,7 +506,8 @@ void TestMeshers()
           const double share = ShareOfAnglesAbove(AtUnitSize(proxy.mesh, SizeOf(model.P)), 25.0);
           CHECK(share >= 0.95, name << ": the share of angles above 25 degrees is " << share);
         }
-        // Again, and as if nothing had been before.
+        // Again, in another place of the memory.
+        const ScatteredMemory memory(static_cast<std::uint32_t>(asked) + 7);
         CHECK(SameBits(proxy.mesh, MakeConvexProxy(model.P, With(mesher, asked)).mesh),
           name << ": twice the same should have the same bits");
       }
@@ -730,6 +772,7 @@ int main(int argc, char**)
   TestPolygons();
   TestRemeshing();
   TestMeshers();
+  TestOrders();
   TestSeeds();
   TestSamples();
   TestFewPoints();
