@@ -31,6 +31,8 @@ namespace
 // How far the hull may stay inside of a point, as a fraction of the extent: what double precision
 // leaves of planes that do not lie along the axes, also far from the origin.
 constexpr double Noise = 1e-10;
+// Two opposite circles of n points have n^2 tetrahedra.
+constexpr std::size_t MostForDelaunay = 5000;
 
 /// Axes of the points around their mean, the longest extent first.
 Points PrincipalCoordinates(const Points& P)
@@ -141,6 +143,11 @@ SurfaceMesh DelaunayHull(std::vector<Point3> corners)
 {
   std::sort(corners.begin(), corners.end());
   SurfaceMesh mesh;
+  if (corners.size() > MostForDelaunay)
+  {
+    CGAL::convex_hull_3(corners.begin(), corners.end(), mesh);
+    return mesh;
+  }
   const CGAL::Delaunay_triangulation_3<Kernel> triangulation(corners.begin(), corners.end());
   CGAL::convex_hull_3_to_face_graph(triangulation, mesh);
   return mesh;

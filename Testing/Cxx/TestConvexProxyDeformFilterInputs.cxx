@@ -584,9 +584,10 @@ void Regions(Checker& check)
 
   check.About("selection of cells");
   std::vector<vtkIdType> corners;
+  const auto triangles = TriangleCorners(input);
   for (const vtkIdType cell : { 2, 3, 70 })
   {
-    for (const vtkIdType i : TriangleCorners(input)[cell])
+    for (const vtkIdType i : triangles[cell])
     {
       corners.push_back(i);
     }
