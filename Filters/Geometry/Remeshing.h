@@ -13,8 +13,8 @@ namespace SphericalStyle
 double EdgeLengthFor(double area, int numberOfPoints);
 
 /// Even, well-shaped triangles (Botsch, Kobbelt, A remeshing approach to multiresolution modeling,
-/// 2004). Sharp edges and corners stay, blunt corners of
-/// a border are rounded. @param mesh  a manifold
+/// 2004). Sharp edges and corners stay, blunt corners of a border are rounded.
+/// @param mesh  a manifold
 TriangleMesh IsotropicRemeshing(const TriangleMesh& mesh, double edgeLength);
 
 /// Cuts edges in half until none is longer: the surface stays exactly what it is, slivers stay
