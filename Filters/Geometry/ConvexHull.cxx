@@ -262,6 +262,11 @@ TriangleMesh Sorted(const TriangleMesh& mesh)
 }
 } // namespace
 
+int HullDimension(const Points& P)
+{
+  return P.rows() > 0 ? Dimension(PrincipalCoordinates(P)) : 0;
+}
+
 Hull ConvexHull(const Points& P)
 {
   Hull hull;

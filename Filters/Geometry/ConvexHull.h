@@ -21,6 +21,9 @@ struct Hull
   TriangleMesh mesh;
 };
 
+/// The dimension alone, by three extents: about n.
+int HullDimension(const Points& P);
+
 /// @param P  n x 3, finite. About n log n. The same in every process, but for how facets of four
 /// and more corners are cut on hulls of more than 5000 corners: that is left to CGAL.
 Hull ConvexHull(const Points& P);

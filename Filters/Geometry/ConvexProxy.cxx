@@ -139,7 +139,6 @@ void MeshSamples(ConvexProxy& proxy, const TriangleMesh& hull, const ConvexProxy
     proxy.fallback = "the hull is too thin for the spacing of the points";
     return;
   }
-  proxy.holesClosed = surface.holesClosed;
   proxy.mesh = std::move(surface.mesh);
 }
 } // namespace

@@ -40,7 +40,6 @@ struct ConvexProxy
   TriangleMesh mesh;       ///< closed and oriented outward, or open in a plane when flat
   bool flat = false;       ///< the points lie in a plane: so does the proxy
   double hullVolume = 0.0; ///< length^3
-  int holesClosed = 0;     ///< in the triangles of the mesher
   std::string fallback;    ///< why IsotropicRemeshing was taken instead; empty if it was not
 };
 

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace SphericalStyle
 {
@@ -47,18 +47,20 @@ bool Same(const StyleOptions& a, const StyleOptions& b)
 /// Every edge is passed as often one way as the other: the surface encloses a volume.
 bool IsClosed(const Triangles& F)
 {
-  std::map<std::pair<int, int>, int> balance;
+  std::vector<std::pair<int, int>> up;
+  std::vector<std::pair<int, int>> down;
   for (const auto& t : F.rowwise())
   {
     for (int k = 0; k < 3; ++k)
     {
       const int u = t[HalfEdgeStart(k)];
       const int v = t[HalfEdgeEnd(k)];
-      balance[std::minmax(u, v)] += u < v ? 1 : -1;
+      (u < v ? up : down).push_back(std::minmax(u, v));
     }
   }
-  return std::all_of(
-    balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
+  std::sort(up.begin(), up.end());
+  std::sort(down.begin(), down.end());
+  return up == down;
 }
 
 double ConvexityRatio(const TriangleMesh& model, double hullVolume)
@@ -66,11 +68,6 @@ double ConvexityRatio(const TriangleMesh& model, double hullVolume)
   return hullVolume > 0.0 && model.F.rows() > 0 && IsClosed(model.F)
     ? std::abs(EnclosedVolume(model.P, model.F)) / hullVolume
     : std::numeric_limits<double>::quiet_NaN();
-}
-
-bool HasVolume(const Points& P, const std::vector<int>& part)
-{
-  return !part.empty() && ConvexHull(P(part, Eigen::all)).dimension == 3;
 }
 
 /// A flat proxy becomes the disc of its area: the sphere of that area would halve it.
@@ -103,9 +100,11 @@ public:
   void Round(const ProxyDeformationOptions& options, const Callback& callback);
   void Project(const TriangleMesh& model, const ProxyDeformationOptions& options);
   void Move(const TriangleMesh& model, const ProxyDeformationOptions& options);
+  void MeasureConvexity(const Triangles& F);
 
   // What each stage was last done for.
   Points ModelPoints;
+  Triangles ModelTriangles; // of the convexity alone
   ProxyDeformationOptions Last;
 
   ConvexProxy Proxy;
@@ -116,12 +115,14 @@ public:
   std::unique_ptr<SurfaceProjection> Searches;
   Feet FeetOfPoints;
   double Surplus = 0.0;
+  double Convexity = 0.0;
   Points Q;
 
   // A stage whose flag is down is done again; each takes the later ones down with it.
   bool HasProxy = false;
   bool HasRounding = false;
   bool HasFeet = false;
+  bool HasConvexity = false;
 
   ProxyDeformationReport Report;
 };
@@ -132,6 +133,7 @@ void ProxyDeformation::State::MakeProxy(
   const bool own = options.ownProxy.F.rows() > 0;
   const bool sameModel = Same(model.P, this->ModelPoints);
   this->HasFeet = this->HasFeet && sameModel;
+  this->HasConvexity = this->HasConvexity && sameModel;
   this->HasProxy = this->HasProxy && (own || sameModel);
   this->ModelPoints = model.P;
   if (this->HasProxy && Same(options.ownProxy, this->Last.ownProxy) &&
@@ -141,9 +143,9 @@ void ProxyDeformation::State::MakeProxy(
   {
     return;
   }
-  this->HasProxy = this->HasRounding = this->HasFeet = false;
+  this->HasProxy = this->HasRounding = this->HasFeet = this->HasConvexity = false;
   const Stopwatch watch;
-  this->OfPart = !own && HasVolume(model.P, options.hullPoints);
+  this->OfPart = !own && HullDimension(model.P(options.hullPoints, Eigen::all)) == 3;
   const Points P = this->OfPart ? Points(model.P(options.hullPoints, Eigen::all)) : model.P;
   this->Proxy = own ? ConvexProxy() : MakeConvexProxy(P, options.convexProxy);
   this->Deformed.rest = own ? options.ownProxy : this->Proxy.mesh;
@@ -243,6 +245,18 @@ void ProxyDeformation::State::Move(
   this->Report.seconds.transfer = watch.Seconds();
 }
 
+void ProxyDeformation::State::MeasureConvexity(const Triangles& F)
+{
+  if (this->HasConvexity && F.rows() == this->ModelTriangles.rows() && F == this->ModelTriangles)
+  {
+    return;
+  }
+  this->Convexity =
+    ConvexityRatio({ this->ModelPoints, F }, this->OfPart ? 0.0 : this->Proxy.hullVolume);
+  this->ModelTriangles = F;
+  this->HasConvexity = true;
+}
+
 //------------------------------------------------------------------------------------------------
 ProxyDeformation::ProxyDeformation()
   : S(std::make_unique<State>())
@@ -287,7 +301,8 @@ ProxyDeformationReport ProxyDeformation::Deform(const TriangleMesh& model,
   report.style = s.Rounding;
   report.flat = s.Proxy.flat;
   report.fallback = s.Proxy.fallback;
-  report.convexityRatio = ConvexityRatio(model, s.OfPart ? 0.0 : s.Proxy.hullVolume);
+  s.MeasureConvexity(model.F);
+  report.convexityRatio = s.Convexity;
   report.projectionError = s.Surplus;
   for (const int number : s.FeetOfPoints.projectionCase)
   {

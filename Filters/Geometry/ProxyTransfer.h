@@ -49,7 +49,7 @@ Points TransferFromProxy(const Points& P, const DeformedProxy& proxy, const Feet
 
 /// Triangles whose normal after the deformation points against the normal before, turned with the
 /// proxy: there the projection lines cross. Triangles that lost their area are not counted.
-/// @param turned  of the feet of the points (RotationsAtFeet)
+/// @param rotations  of the feet of the points (RotationsAtFeet)
 int CountTurnedOver(
   const Points& P, const Points& Q, const Triangles& F, const Matrices& rotations);
 } // namespace SphericalStyle

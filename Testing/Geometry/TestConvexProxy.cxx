@@ -493,7 +493,7 @@ void TestMeshers()
             name << " has " << got << " of the points asked for");
         }
         std::cout << name << ": points " << got << ", angles above 25 degrees "
-                  << ShareOfAnglesAbove(proxy.mesh, 25.0) << ", holes " << proxy.holesClosed
+                  << ShareOfAnglesAbove(proxy.mesh, 25.0)
                   << (proxy.fallback.empty() ? "" : ", fell back: " + proxy.fallback) << std::endl;
         if (mesher == ProxyMesher::SubdividedHull)
         {
