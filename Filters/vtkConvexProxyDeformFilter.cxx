@@ -15,7 +15,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -26,7 +25,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,18 +141,10 @@ void FillProxy(vtkPolyData* output, const SphericalStyle::DeformedProxy& proxy,
   output->SetPoints(points);
   output->SetPolys(triangles);
 
-  vtkNew<vtkDoubleArray> seconds;
-  seconds->SetName("StageSeconds");
-  seconds->SetNumberOfComponents(4);
-  const char* stages[] = { "Proxy", "Round", "Project", "Transfer" };
-  for (int k = 0; k < 4; ++k)
-  {
-    seconds->SetComponentName(k, stages[k]);
-  }
   const auto& s = report.seconds;
-  const double values[] = { s.proxy, s.round, s.project, s.transfer };
-  seconds->InsertNextTuple(values);
-  output->GetFieldData()->AddArray(seconds);
+  AddStageSeconds(output->GetFieldData(),
+    { { "Proxy", s.proxy }, { "Round", s.round }, { "Project", s.project },
+      { "Transfer", s.transfer } });
 }
 }
 
@@ -188,22 +178,14 @@ struct vtkConvexProxyDeformFilter::Internals
 
 void vtkConvexProxyDeformFilter::Internals::CheckProperties(const vtkConvexProxyDeformFilter* self)
 {
-  Require(std::isfinite(self->Roundness) && self->Roundness >= 0.0, "Roundness",
-    "finite and 0 or more", self->Roundness);
+  RequireTarget(self->Roundness, self->CenterMode == CUSTOM_CENTER ? self->Center : nullptr,
+    self->RadiusMode == CUSTOM_RADIUS ? &self->Radius : nullptr);
   Require(self->Blend >= 0.0 && self->Blend <= 1.0, "Blend", "in 0..1", self->Blend);
   Require(self->BorderWidth >= 0.0 && self->BorderWidth <= 1.0, "BorderWidth", "in 0..1",
     self->BorderWidth);
-  if (self->RadiusMode == CUSTOM_RADIUS)
+  for (const double gain : self->AxisGain)
   {
-    Require(std::isfinite(self->Radius) && self->Radius > 0.0, "Radius", "finite and above 0",
-      self->Radius);
-  }
-  for (int k = 0; k < 3; ++k)
-  {
-    Require(self->CenterMode != CUSTOM_CENTER || std::isfinite(self->Center[k]), "Center", "finite",
-      self->Center[k]);
-    Require(std::isfinite(self->AxisGain[k]) && self->AxisGain[k] >= 0.0, "AxisGain",
-      "finite and 0 or more", self->AxisGain[k]);
+    Require(std::isfinite(gain) && gain >= 0.0, "AxisGain", "finite and 0 or more", gain);
   }
 }
 
@@ -211,17 +193,15 @@ Points vtkConvexProxyDeformFilter::Internals::Gather(vtkConvexProxyDeformFilter*
   int components, const vtkSurfaceMesh& surface, vtkPolyData* input)
 {
   static const vtkSurfaceMeshConversion::ArrayRule rules[] = {
-    { "Normals", 3, -Infinity, Infinity },
+    { "Normals", 3, -Infinity, Infinity, vtkDataSetAttributes::NORMALS },
     { "Directions", 3, -Infinity, Infinity },
     { "Blend array", 1, 0.0, 1.0 },
     { "Region", 1, -Infinity, Infinity },
   };
   vtkSurfaceMeshConversion::ArrayRule rule = rules[index];
-  vtkDataArray* array =
-    vtkSurfaceMeshConversion::FindPointArray(self->GetInputArrayInformation(index), input,
-      rule.Purpose, index == NORMALS ? vtkDataSetAttributes::NORMALS : -1);
   rule.Components = components;
-  return array ? vtkSurfaceMeshConversion::GatherPointArray(array, surface, rule) : Points();
+  return vtkSurfaceMeshConversion::GatherPointArray(
+    self->GetInputArrayInformation(index), input, surface, rule);
 }
 
 std::vector<char> vtkConvexProxyDeformFilter::Internals::Region(vtkConvexProxyDeformFilter* self,

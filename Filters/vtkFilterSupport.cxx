@@ -3,9 +3,13 @@
 #include "vtkFilterSupport.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
 #include "vtkVersion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
@@ -21,6 +25,34 @@ void Require(bool good, const char* name, const char* must, double value)
     message << name << " must be " << must << "; it is " << value;
     throw std::invalid_argument(message.str());
   }
+}
+
+void RequireTarget(double roundness, const double* center, const double* radius)
+{
+  Require(
+    std::isfinite(roundness) && roundness >= 0.0, "Roundness", "finite and 0 or more", roundness);
+  if (radius)
+  {
+    Require(std::isfinite(*radius) && *radius > 0.0, "Radius", "finite and above 0", *radius);
+  }
+  for (int k = 0; center && k < 3; ++k)
+  {
+    Require(std::isfinite(center[k]), "Center", "finite", center[k]);
+  }
+}
+
+void AddStageSeconds(vtkFieldData* data, const std::vector<std::pair<const char*, double>>& stages)
+{
+  vtkNew<vtkDoubleArray> seconds;
+  seconds->SetName("StageSeconds");
+  seconds->SetNumberOfComponents(static_cast<int>(stages.size()));
+  seconds->SetNumberOfTuples(1);
+  for (std::size_t k = 0; k < stages.size(); ++k)
+  {
+    seconds->SetComponentName(static_cast<vtkIdType>(k), stages[k].first);
+    seconds->SetComponent(0, static_cast<int>(k), stages[k].second);
+  }
+  data->AddArray(seconds);
 }
 
 int ThreadsToUse(int wanted)

@@ -8,13 +8,23 @@
 #include "vtkType.h" // for vtkIdType
 
 #include <string>
+#include <utility>
+#include <vector>
 
 class vtkAlgorithm;
+class vtkFieldData;
 
 namespace vtkFilterSupport
 {
 /// @throw std::invalid_argument "name must be ...; it is value"
 void Require(bool good, const char* name, const char* must, double value);
+
+/// Roundness, and centre and radius where they are the user's own.
+/// @param center, radius  nullptr when they are not @throw std::invalid_argument
+void RequireTarget(double roundness, const double* center, const double* radius);
+
+/// Adds the array StageSeconds, one component per stage.
+void AddStageSeconds(vtkFieldData* data, const std::vector<std::pair<const char*, double>>& stages);
 
 /// @param wanted  0: VTK_SMP_MAX_THREADS or else all cores
 int ThreadsToUse(int wanted);

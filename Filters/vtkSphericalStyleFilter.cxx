@@ -5,7 +5,6 @@
 #include "vtkFilterSupport.h"
 #include "vtkSurfaceMeshConversion.h"
 
-#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -19,7 +18,6 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -41,7 +39,7 @@ enum InputArrays
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr vtkSurfaceMeshConversion::ArrayRule ArrayRules[] = {
-  { "Normals", 3, -Infinity, Infinity },
+  { "Normals", 3, -Infinity, Infinity, vtkDataSetAttributes::NORMALS },
   { "Roundness factor", 1, 0.0, Infinity },
   { "Normal blend", 1, 0.0, 1.0 },
   { "Target directions", 3, -Infinity, Infinity },
@@ -77,17 +75,9 @@ void FillHistory(vtkTable* table, const SphericalStyle::StyleReport& report)
   add("Gap", [](const Row& r) { return r.gap; });
 
   const SphericalStyle::StageSeconds& s = report.seconds;
-  vtkNew<vtkDoubleArray> seconds;
-  seconds->SetName("StageSeconds");
-  seconds->SetNumberOfComponents(5);
-  const char* stages[] = { "Base", "Weights", "Analyze", "Factor", "Iterate" };
-  for (int k = 0; k < 5; ++k)
-  {
-    seconds->SetComponentName(k, stages[k]);
-  }
-  const double values[] = { s.base, s.weights, s.analyze, s.factor, s.iterate };
-  seconds->InsertNextTuple(values);
-  table->GetFieldData()->AddArray(seconds);
+  AddStageSeconds(table->GetFieldData(),
+    { { "Base", s.base }, { "Weights", s.weights }, { "Analyze", s.analyze },
+      { "Factor", s.factor }, { "Iterate", s.iterate } });
   vtkNew<vtkStringArray> solver;
   solver->SetName("LinearSolver");
   solver->InsertNextValue(report.linearSolver);
@@ -113,26 +103,14 @@ struct vtkSphericalStyleFilter::Internals
 
 void vtkSphericalStyleFilter::Internals::CheckProperties(const vtkSphericalStyleFilter* self)
 {
-  Require(std::isfinite(self->Roundness) && self->Roundness >= 0.0, "Roundness",
-    "finite and 0 or more", self->Roundness);
+  RequireTarget(self->Roundness, self->CenterMode == CUSTOM_CENTER ? self->Center : nullptr,
+    self->RadiusMode == CUSTOM_RADIUS ? &self->Radius : nullptr);
   Require(self->NormalBlend >= 0.0 && self->NormalBlend <= 1.0, "NormalBlend", "in 0..1",
     self->NormalBlend);
   Require(self->DetailSize >= 0.0 && self->DetailSize <= 0.2, "DetailSize", "in 0..0.2",
     self->DetailSize);
   Require(self->Tolerance > 0.0 && self->Tolerance < 1.0, "Tolerance", "above 0 and below 1",
     self->Tolerance);
-  if (self->RadiusMode == CUSTOM_RADIUS)
-  {
-    Require(std::isfinite(self->Radius) && self->Radius > 0.0, "Radius", "finite and above 0",
-      self->Radius);
-  }
-  if (self->CenterMode == CUSTOM_CENTER)
-  {
-    for (const double x : self->Center)
-    {
-      Require(std::isfinite(x), "Center", "finite", x);
-    }
-  }
 }
 
 SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
@@ -159,11 +137,8 @@ SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
 
   const auto gather = [&](int index)
   {
-    const vtkSurfaceMeshConversion::ArrayRule& rule = ArrayRules[index];
-    vtkDataArray* array =
-      vtkSurfaceMeshConversion::FindPointArray(self->GetInputArrayInformation(index), input,
-        rule.Purpose, index == NORMALS ? vtkDataSetAttributes::NORMALS : -1);
-    return array ? vtkSurfaceMeshConversion::GatherPointArray(array, surface, rule) : Points();
+    return vtkSurfaceMeshConversion::GatherPointArray(
+      self->GetInputArrayInformation(index), input, surface, ArrayRules[index]);
   };
   o.roundnessFactors = gather(ROUNDNESS_FACTOR).col(0);
   o.normalBlends = gather(NORMAL_BLEND).col(0);

@@ -478,8 +478,14 @@ vtkDataArray* FindPointArray(
   return attribute >= 0 ? arrays->GetAttribute(attribute) : nullptr;
 }
 
-Points GatherPointArray(vtkDataArray* array, const vtkSurfaceMesh& surface, const ArrayRule& rule)
+Points GatherPointArray(
+  vtkInformation* wanted, vtkPolyData* input, const vtkSurfaceMesh& surface, const ArrayRule& rule)
 {
+  vtkDataArray* array = FindPointArray(wanted, input, rule.Purpose, rule.Attribute);
+  if (!array)
+  {
+    return {};
+  }
   const auto numberOfPoints = static_cast<vtkIdType>(surface.MeshPoint.size());
   std::ostringstream message;
   message << rule.Purpose << ": array \"" << (array->GetName() ? array->GetName() : "") << "\" ";

@@ -60,6 +60,7 @@ struct ArrayRule
   int Components;
   double Minimum;
   double Maximum;
+  int Attribute = -1; ///< active attribute to take where no array is named, -1 for none
 };
 
 /// The point array that an algorithm is told to process, or nullptr where none is asked for: unset,
@@ -70,10 +71,11 @@ struct ArrayRule
 vtkDataArray* FindPointArray(
   vtkInformation* wanted, vtkPolyData* input, const char* purpose, int attribute = -1);
 
-/// The array as one row per mesh point, the mean over coincident input points.
+/// That array as one row per mesh point, the mean over coincident input points; no rows where none
+/// is asked for.
 /// @throw std::invalid_argument naming purpose, array and the first offending point
 SphericalStyle::Points GatherPointArray(
-  vtkDataArray* array, const vtkSurfaceMesh& surface, const ArrayRule& rule);
+  vtkInformation* wanted, vtkPolyData* input, const vtkSurfaceMesh& surface, const ArrayRule& rule);
 
 /// One row per mesh point to a point array of the output, zero where nothing moves.
 /// @param type  VTK_FLOAT or VTK_DOUBLE
