@@ -15,9 +15,6 @@
 
 namespace FilterTesting
 {
-constexpr int OfPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-constexpr int OfCells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
-
 /// Indices of the input arrays to process.
 enum ProxyArrays
 {
@@ -27,56 +24,15 @@ enum ProxyArrays
   RegionArray = 3
 };
 
-/// The filter, with its messages caught instead of printed and its executions counted. Small
-/// proxies, so that tests are quick.
-class WatchedProxyFilter
+/// Small proxies, so that tests are quick.
+class WatchedProxyFilter : public Watched<vtkConvexProxyDeformFilter>
 {
 public:
-  WatchedProxyFilter()
+  explicit WatchedProxyFilter(vtkPolyData* input = nullptr)
   {
-    this->Watch(this->Filter, vtkCommand::ErrorEvent, this->Errors);
-    this->Watch(this->Filter, vtkCommand::WarningEvent, this->Warnings);
-    // The executive adds that the algorithm has failed; not counted, it is not ours.
-    this->Watch(this->Filter->GetExecutive(), vtkCommand::ErrorEvent, this->ExecutiveErrors);
-    this->Watch(this->Filter, vtkCommand::StartEvent, this->Starts);
-    this->Filter->SetNumberOfProxyPoints(300);
+    this->Get()->SetInputData(input);
+    this->Get()->SetNumberOfProxyPoints(300);
   }
-
-  explicit WatchedProxyFilter(vtkPolyData* input)
-    : WatchedProxyFilter()
-  {
-    this->Filter->SetInputData(input);
-  }
-
-  vtkConvexProxyDeformFilter* operator->() { return this->Filter; }
-  vtkConvexProxyDeformFilter* Get() { return this->Filter; }
-
-  vtkPolyData* Output(int port = 0)
-  {
-    this->Filter->Update();
-    return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(port));
-  }
-
-  std::vector<std::string> Errors;
-  std::vector<std::string> Warnings;
-  std::vector<std::string> ExecutiveErrors;
-  std::vector<std::string> Starts; ///< one per execution
-
-private:
-  static void Watch(vtkObject* object, unsigned long event, std::vector<std::string>& into)
-  {
-    vtkNew<vtkCallbackCommand> command;
-    command->SetClientData(&into);
-    command->SetCallback(
-      [](vtkObject*, unsigned long, void* messages, void* text)
-      {
-        static_cast<std::vector<std::string>*>(messages)->emplace_back(
-          text ? static_cast<const char*>(text) : "");
-      });
-    object->AddObserver(event, command);
-  }
-
-  vtkNew<vtkConvexProxyDeformFilter> Filter;
 };
 
 /// All messages in one line, for the text of a check.
@@ -88,16 +44,6 @@ inline std::string Joined(const std::vector<std::string>& messages)
     all += " | " + message;
   }
   return all;
-}
-
-inline Vector TupleOf(vtkDataArray* array, vtkIdType i)
-{
-  Vector x = { 0.0, 0.0, 0.0 };
-  for (int k = 0; k < std::min(3, array->GetNumberOfComponents()); ++k)
-  {
-    x[k] = array->GetComponent(i, k);
-  }
-  return x;
 }
 
 inline vtkDataArray* PointArray(vtkPolyData* surface, const char* name)

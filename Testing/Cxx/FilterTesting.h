@@ -12,6 +12,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
@@ -82,16 +83,20 @@ private:
   int Failures = 0;
 };
 
+constexpr int OfPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+constexpr int OfCells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+
 inline std::string Text(vtkIdType number)
 {
   return std::to_string(number);
 }
 
-/// The filter, with its messages caught instead of printed and its executions counted.
-class WatchedFilter
+/// A filter, with its messages caught instead of printed and its executions counted.
+template <typename FilterType>
+class Watched
 {
 public:
-  WatchedFilter()
+  Watched()
   {
     this->Watch(this->Filter, vtkCommand::ErrorEvent, this->Errors);
     this->Watch(this->Filter, vtkCommand::WarningEvent, this->Warnings);
@@ -100,19 +105,19 @@ public:
     this->Watch(this->Filter, vtkCommand::StartEvent, this->Starts);
   }
 
-  explicit WatchedFilter(vtkPolyData* input)
-    : WatchedFilter()
+  explicit Watched(vtkPolyData* input)
+    : Watched()
   {
     this->Filter->SetInputData(input);
   }
 
-  vtkSphericalStyleFilter* operator->() { return this->Filter; }
-  vtkSphericalStyleFilter* Get() { return this->Filter; }
+  FilterType* operator->() { return this->Filter; }
+  FilterType* Get() { return this->Filter; }
 
-  vtkPolyData* Output()
+  vtkPolyData* Output(int port = 0)
   {
     this->Filter->Update();
-    return this->Filter->GetOutput();
+    return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(port));
   }
 
   std::vector<std::string> Errors;
@@ -134,8 +139,10 @@ private:
     object->AddObserver(event, command);
   }
 
-  vtkNew<vtkSphericalStyleFilter> Filter;
+  vtkNew<FilterType> Filter;
 };
+
+using WatchedFilter = Watched<vtkSphericalStyleFilter>;
 
 inline bool Contains(const std::string& text, const std::string& part)
 {
@@ -430,6 +437,16 @@ inline bool AllFinite(vtkDataArray* array)
 inline double Distance(const Vector& x, const Vector& y)
 {
   return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
+}
+
+inline Vector TupleOf(vtkDataArray* array, vtkIdType i)
+{
+  Vector x = { 0.0, 0.0, 0.0 };
+  for (int k = 0; k < std::min(3, array->GetNumberOfComponents()); ++k)
+  {
+    x[k] = array->GetComponent(i, k);
+  }
+  return x;
 }
 
 inline Vector PointOf(vtkPolyData* surface, vtkIdType i)

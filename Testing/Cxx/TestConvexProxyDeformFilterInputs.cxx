@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Every kind of input that people have: what comes out, and that the input stays as it was.
 #include "ConvexProxyTesting.h"
+#include "PropertyTesting.h"
 
 #include "vtkInformation.h"
 
@@ -735,35 +736,7 @@ void Properties(Checker& check)
   WatchedProxyFilter filter;
   check.About("properties");
   filter->SetNumberOfProxyPoints(5000);
-// Sets a value that is not the default, then the default again.
-#define RoundTrip(Name, initial, other)                                                            \
-  check(filter->Get##Name() == (initial), #Name " should start as " #initial);                     \
-  {                                                                                                \
-    const vtkMTimeType time = filter->GetMTime();                                                  \
-    filter->Set##Name(other);                                                                      \
-    check(filter->Get##Name() == (other), #Name " should be " #other " after setting it");         \
-    check(filter->GetMTime() > time, #Name " should modify the filter");                           \
-  }                                                                                                \
-  filter->Set##Name(initial)
-#define OnOff(Name, initial)                                                                       \
-  RoundTrip(Name, initial, !(initial));                                                            \
-  filter->Name##On();                                                                              \
-  check(filter->Get##Name(), #Name "On should switch it on");                                      \
-  filter->Name##Off();                                                                             \
-  check(!filter->Get##Name(), #Name "Off should switch it off");                                   \
-  filter->Set##Name(initial)
-#define Mode(Name, value, Enumerator, number)                                                      \
-  filter->Set##Name##To##value();                                                                  \
-  check(filter->Get##Name() == vtkConvexProxyDeformFilter::Enumerator &&                           \
-      vtkConvexProxyDeformFilter::Enumerator == (number),                                          \
-    "Set" #Name "To" #value " should be " #number)
-#define Clamped(Name, value, result)                                                               \
-  {                                                                                                \
-    const auto old = filter->Get##Name();                                                          \
-    filter->Set##Name(value);                                                                      \
-    check(filter->Get##Name() == (result), #Name " set to " #value " should be " #result);         \
-    filter->Set##Name(old);                                                                        \
-  }
+  using FilterType = vtkConvexProxyDeformFilter;
   RoundTrip(ProxyMesher, 0, 3);
   RoundTrip(NumberOfProxyPoints, 5000, 100);
   RoundTrip(Seed, 0, 17);

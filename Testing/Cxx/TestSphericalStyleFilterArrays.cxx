@@ -2,19 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// What comes in with the points goes out with them; what the filter adds is what its formulas say,
 /// evaluated here a second time; what it takes as arrays does what the property does.
+#include "ArrayTesting.h"
 #include "FilterTesting.h"
 
-#include "vtkBitArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkLongLongArray.h"
 #include "vtkPolyDataNormals.h"
-#include "vtkShortArray.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <set>
 
@@ -24,7 +16,6 @@ namespace
 {
 /// Tolerance for two evaluations of one formula in double, relative to its size.
 constexpr double Rounding = 1e-12;
-constexpr int OfPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 
 Vector Minus(const Vector& x, const Vector& y)
 {
@@ -54,84 +45,6 @@ Vector Times(double a, const Vector& x)
 Vector Plus(const Vector& x, const Vector& y)
 {
   return { x[0] + y[0], x[1] + y[1], x[2] + y[2] };
-}
-
-Vector TupleOf(vtkDataArray* array, vtkIdType i)
-{
-  Vector x;
-  array->GetTuple(i, x.data());
-  return x;
-}
-
-/// Fills an array of any number type with values that differ from tuple to tuple.
-template <typename Array>
-vtkSmartPointer<Array> MakeArray(const char* name, vtkIdType tuples, int components)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  for (vtkIdType i = 0; i < tuples; ++i)
-  {
-    for (int k = 0; k < components; ++k)
-    {
-      array->SetComponent(i, k, static_cast<double>((7 * i + 3 * k) % 101) + 0.5 * (i % 2));
-    }
-  }
-  return array;
-}
-
-vtkSmartPointer<vtkStringArray> MakeStrings(const char* name, vtkIdType values)
-{
-  auto array = vtkSmartPointer<vtkStringArray>::New();
-  array->SetName(name);
-  for (vtkIdType i = 0; i < values; ++i)
-  {
-    array->InsertNextValue("value " + std::to_string(i));
-  }
-  return array;
-}
-
-/// Arrays of every association and many types, most attributes active.
-void AddArrays(vtkPolyData* surface)
-{
-  const vtkIdType n = surface->GetNumberOfPoints();
-  vtkPointData* points = surface->GetPointData();
-  points->AddArray(MakeArray<vtkUnsignedCharArray>("colours", n, 4));
-  points->SetNormals(MakeArray<vtkFloatArray>("my normals", n, 3));
-  points->AddArray(MakeArray<vtkShortArray>("shorts", n, 2));
-  points->SetScalars(MakeArray<vtkDoubleArray>("scalars", n, 1));
-  points->SetVectors(MakeArray<vtkFloatArray>("vectors", n, 3));
-  points->SetTensors(MakeArray<vtkDoubleArray>("tensors", n, 9));
-  points->SetGlobalIds(MakeArray<vtkIdTypeArray>("ids", n, 1));
-  points->AddArray(MakeStrings("names", n));
-  points->AddArray(MakeArray<vtkBitArray>("bits", n, 1));
-  points->AddArray(MakeArray<vtkLongLongArray>("longs", n, 1));
-
-  const vtkIdType m = surface->GetNumberOfCells();
-  vtkCellData* cells = surface->GetCellData();
-  cells->SetScalars(MakeArray<vtkIntArray>("cell scalars", m, 1));
-  cells->AddArray(MakeArray<vtkFloatArray>("cell floats", m, 5));
-  cells->SetVectors(MakeArray<vtkDoubleArray>("cell vectors", m, 3));
-  cells->AddArray(MakeStrings("cell names", m));
-  cells->SetPedigreeIds(MakeArray<vtkIdTypeArray>("cell ids", m, 1));
-
-  vtkFieldData* fields = surface->GetFieldData();
-  fields->AddArray(MakeArray<vtkDoubleArray>("field", 5, 2));
-  fields->AddArray(MakeStrings("comment", 2));
-}
-
-void CheckPassedOn(Checker& check, vtkFieldData* in, vtkFieldData* out, const char* but)
-{
-  for (int i = 0; i < in->GetNumberOfArrays(); ++i)
-  {
-    const std::string name = in->GetArrayName(i);
-    const char* there = i < out->GetNumberOfArrays() ? out->GetArrayName(i) : nullptr;
-    check(there && name == there,
-      "array " + Text(i) + " should be " + name + " and is " + (there ? there : "missing"));
-    check(name == but || SameArray(in->GetAbstractArray(i), out->GetAbstractArray(name.c_str())),
-      "array " + name + " should come out byte for byte");
-  }
 }
 
 void EveryArray(Checker& check, vtkPolyData* icosahedron)
@@ -701,11 +614,11 @@ void PerPointArrays(Checker& check, vtkPolyData* model, const char* name)
     [](vtkSphericalStyleFilter* filter) { filter->SetRoundness(0.0); });
   compare(1, constant(2.0), "factor 2 as twice the Roundness",
     [](vtkSphericalStyleFilter* filter) { filter->SetRoundness(1.0); });
-  compare(1, MakeArray<vtkUnsignedCharArray>("other", n, 1), "any factor as any factor",
+  compare(1, MakeAny<vtkUnsignedCharArray>("other", n, 1), "any factor as any factor",
     [&](vtkSphericalStyleFilter* filter)
     {
       filter->SetRoundness(1.0);
-      auto halves = MakeArray<vtkDoubleArray>("halves", n, 1);
+      auto halves = MakeAny<vtkDoubleArray>("halves", n, 1);
       for (vtkIdType i = 0; i < n; ++i)
       {
         halves->SetValue(i, 0.5 * std::floor(halves->GetValue(i)));

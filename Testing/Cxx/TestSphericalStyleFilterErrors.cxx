@@ -16,8 +16,6 @@ namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-constexpr int OfPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-constexpr int OfCells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
 
 enum Arrays
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Every kind of input that people have: what comes out, and that the input stays as it was.
 #include "FilterTesting.h"
+#include "PropertyTesting.h"
 
 #include <sstream>
 
@@ -729,35 +730,7 @@ void Properties(Checker& check)
 {
   WatchedFilter filter;
   check.About("properties");
-// Sets a value that is not the default, then the default again.
-#define RoundTrip(Name, initial, other)                                                            \
-  check(filter->Get##Name() == (initial), #Name " should start as " #initial);                     \
-  {                                                                                                \
-    const vtkMTimeType time = filter->GetMTime();                                                  \
-    filter->Set##Name(other);                                                                      \
-    check(filter->Get##Name() == (other), #Name " should be " #other " after setting it");         \
-    check(filter->GetMTime() > time, #Name " should modify the filter");                           \
-  }                                                                                                \
-  filter->Set##Name(initial)
-#define OnOff(Name, initial)                                                                       \
-  RoundTrip(Name, initial, !(initial));                                                            \
-  filter->Name##On();                                                                              \
-  check(filter->Get##Name(), #Name "On should switch it on");                                      \
-  filter->Name##Off();                                                                             \
-  check(!filter->Get##Name(), #Name "Off should switch it off");                                   \
-  filter->Set##Name(initial)
-#define Mode(Name, value, Enumerator, number)                                                      \
-  filter->Set##Name##To##value();                                                                  \
-  check(filter->Get##Name() == vtkSphericalStyleFilter::Enumerator &&                              \
-      vtkSphericalStyleFilter::Enumerator == (number),                                             \
-    "Set" #Name "To" #value " should be " #number)
-#define Clamped(Name, value, result)                                                               \
-  {                                                                                                \
-    const auto old = filter->Get##Name();                                                          \
-    filter->Set##Name(value);                                                                      \
-    check(filter->Get##Name() == (result), #Name " set to " #value " should be " #result);         \
-    filter->Set##Name(old);                                                                        \
-  }
+  using FilterType = vtkSphericalStyleFilter;
   RoundTrip(Roundness, 0.5, 3.0);
   RoundTrip(NormalBlend, 0.0, 0.25);
   RoundTrip(CenterMode, 0, 2);
