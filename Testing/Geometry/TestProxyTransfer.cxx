@@ -950,6 +950,7 @@ void TestMethod()
   TriangleMesh open = Meshes::Box(3);
   open.F = open.F.topRows(open.F.rows() - 1).eval();
   CHECK(std::isnan(ratio(open)), "an open model has no convexity ratio");
+  CHECK_NEAR(ratio(Meshes::Box(3)), 1.0, 1e-12, "convexity ratio of the same points, closed");
   open.F.resize(0, 3);
   CHECK(std::isnan(ratio(open)), "points have no convexity ratio");
 }
