@@ -22,6 +22,7 @@ MODELS = [
     ("cuboid", 686, True),
     ("tangram-prism", None, True),
     ("stone-house", None, True),
+    ("snowman", 3162, True),
     ("bottle", 1532, True),
     ("car", None, False),
     ("creature", None, True),

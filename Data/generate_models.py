@@ -338,6 +338,23 @@ def MakeBottle():
     return MakePolyData(*Revolve(radii, heights, 30))
 
 
+def MakeSnowman():
+    """Three round-edged drums on top of each other, one surface; CenterId counts them from below."""
+    drums = [(1.0, 0.0), (0.72, 1.22), (0.5, 2.1)]  # radius, height of the middle
+    exponent, squash = 3.0, 0.8                     # 2 and 1 would be balls
+    y = np.linspace(-squash, 2.1 + 0.5 * squash, 200001)
+    outlines = np.array([r * np.maximum(0.0, 1.0 - np.abs((y - middle) / (squash * r))**exponent)**(1.0 / exponent)
+                         for r, middle in drums])
+    dense = np.stack([outlines.max(axis=0), y], axis=1)
+    length = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(dense, axis=0), axis=1))])
+    samples = np.linspace(0.0, length[-1], 81)
+    radii, heights = np.interp(samples, length, dense[:, 0]), np.interp(samples, length, dense[:, 1])
+    polyData = MakePolyData(*Revolve(radii, heights, 40))
+    ids = np.interp(heights, y, outlines.argmax(axis=0)).round().astype(np.int32)
+    AddArray(polyData.GetPointData(), "CenterId", np.concatenate([ids[:1], np.repeat(ids[1:-1], 40), ids[-1:]]))
+    return polyData
+
+
 # ---------------------------------------------------------------------------
 # House
 
@@ -659,6 +676,7 @@ def Main(arguments):
         WriteModel("tangram-prism.vtp", MakeTangramPrism())
         WriteModel("stone-house.vtp", MakeStoneHouse())
         WriteModel("bottle.vtp", MakeBottle())
+        WriteModel("snowman.vtp", MakeSnowman())
         WriteModel("car.vtp", MakeCar())
     else:
         sys.exit(__doc__)

@@ -4,11 +4,10 @@
 
 #include "BlendFunction.h"
 #include "ProxyDeformation.h"
-#include "RegionBorder.h"
 #include "vtkFilterSupport.h"
 #include "vtkPoissonDisk.h"
-#include "vtkSelectedPoints.h"
 #include "vtkSurfaceMeshConversion.h"
+#include "vtkSurfaceRegion.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -158,9 +157,6 @@ struct vtkConvexProxyDeformFilter::Internals
   /// The array for index, one row per mesh point; 0 rows where none is asked for.
   static Points Gather(vtkConvexProxyDeformFilter* self, int index, int components,
     const vtkSurfaceMesh& surface, vtkPolyData* input);
-  /// 1 for mesh points that may move. Empty without a region.
-  static std::vector<char> Region(vtkConvexProxyDeformFilter* self, const vtkSurfaceMesh& surface,
-    vtkPolyData* input, vtkSelection* selection);
   /// t of every mesh point and axis. @param perAxis  whether an array of 3 components gave it
   static Points BlendWeights(vtkConvexProxyDeformFilter* self, const vtkSurfaceMesh& surface,
     vtkPolyData* input, const std::vector<char>& region, bool& perAxis);
@@ -196,43 +192,11 @@ Points vtkConvexProxyDeformFilter::Internals::Gather(vtkConvexProxyDeformFilter*
     { "Normals", 3, -Infinity, Infinity, vtkDataSetAttributes::NORMALS },
     { "Directions", 3, -Infinity, Infinity },
     { "Blend array", 1, 0.0, 1.0 },
-    { "Region", 1, -Infinity, Infinity },
   };
   vtkSurfaceMeshConversion::ArrayRule rule = rules[index];
   rule.Components = components;
   return vtkSurfaceMeshConversion::GatherPointArray(
     self->GetInputArrayInformation(index), input, surface, rule);
-}
-
-std::vector<char> vtkConvexProxyDeformFilter::Internals::Region(vtkConvexProxyDeformFilter* self,
-  const vtkSurfaceMesh& surface, vtkPolyData* input, vtkSelection* selection)
-{
-  const Points mask = Gather(self, REGION_MASK, 1, surface, input);
-  if (mask.rows() == 0 && !selection)
-  {
-    return {};
-  }
-  std::vector<char> region(surface.Mesh.P.rows(), 1);
-  if (mask.rows() > 0)
-  {
-    for (Eigen::Index i = 0; i < mask.rows(); ++i)
-    {
-      region[i] = mask(i, 0) != 0.0;
-    }
-  }
-  if (selection)
-  {
-    // Of coincident points one is enough: they move together or not at all.
-    const std::vector<char> selected = vtkSelectedPoints(input, selection);
-    std::vector<char> chosen(region.size(), 0);
-    for (std::size_t i = 0; i < selected.size(); ++i)
-    {
-      chosen[surface.MeshPoint[i]] |= selected[i];
-    }
-    std::transform(region.begin(), region.end(), chosen.begin(), region.begin(),
-      [](char a, char b) { return static_cast<char>(a & b); });
-  }
-  return region;
 }
 
 Points vtkConvexProxyDeformFilter::Internals::BlendWeights(vtkConvexProxyDeformFilter* self,
@@ -271,8 +235,8 @@ Points vtkConvexProxyDeformFilter::Internals::BlendWeights(vtkConvexProxyDeformF
   }
   if (!region.empty())
   {
-    const Eigen::VectorXd inside = SphericalStyle::BorderWeights(
-      P, region, self->BorderWidth * Diagonal(P), ThreadsToUse(self->NumberOfThreads));
+    const Eigen::VectorXd inside =
+      vtkSurfaceRegion::Weights(P, region, self->BorderWidth, ThreadsToUse(self->NumberOfThreads));
     // This way round t stays what it is well inside, and is 1 outside, to the last bit.
     t = (t.array() + (1.0 - t.array()).colwise() * (1.0 - inside.array())).matrix().eval();
   }
@@ -502,7 +466,8 @@ int vtkConvexProxyDeformFilter::RequestData(
     Internals::CheckProperties(this);
     surface = Conversion::FromPolyData(input, true, Conversion::TakePoints::All);
     ProxyDeformationOptions options = Internals::MakeOptions(this, surface, input, ownProxy);
-    const std::vector<char> region = Internals::Region(this, surface, input, selection);
+    const std::vector<char> region = vtkSurfaceRegion::Marks(
+      this->GetInputArrayInformation(REGION_MASK), selection, input, surface);
     options.t = t = Internals::BlendWeights(this, surface, input, region, perAxis);
     if (this->HullOf == REGION)
     {

@@ -4,6 +4,7 @@
 
 #include "vtkFilterSupport.h"
 #include "vtkSurfaceMeshConversion.h"
+#include "vtkSurfaceRegion.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -13,12 +14,16 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkSelection.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -29,13 +34,25 @@ vtkStandardNewMacro(vtkSphericalStyleFilter);
 
 namespace
 {
+enum InputPorts
+{
+  MODEL = 0,
+  CENTERS = 1,
+  SELECTION = 2
+};
+
 enum InputArrays
 {
   NORMALS = 0,
   ROUNDNESS_FACTOR = 1,
   NORMAL_BLEND = 2,
-  TARGET_DIRECTIONS = 3
+  TARGET_DIRECTIONS = 3,
+  REGION_MASK = 4,
+  CENTER_ID = 5
 };
+
+// More are a mistake, such as the array of another purpose; each costs one more field to smooth.
+constexpr std::size_t MaximumNumberOfCenters = 256;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr vtkSurfaceMeshConversion::ArrayRule ArrayRules[] = {
@@ -44,6 +61,95 @@ constexpr vtkSurfaceMeshConversion::ArrayRule ArrayRules[] = {
   { "Normal blend", 1, 0.0, 1.0 },
   { "Target directions", 3, -Infinity, Infinity },
 };
+
+/// Rank of the id that each mesh point has in the array, and the ids by rank; empty without an
+/// array. @throw std::invalid_argument naming the array and the first offending point
+struct CenterIds
+{
+  std::vector<int> OfPoints;
+  std::vector<vtkIdType> Values;
+  std::string ArrayName;
+};
+
+CenterIds FindCenterIds(vtkInformation* wanted, const vtkSurfaceMesh& surface, vtkPolyData* input)
+{
+  CenterIds ids;
+  vtkDataArray* array = vtkSurfaceMeshConversion::FindPointArray(wanted, input, "Center id");
+  if (!array)
+  {
+    return ids;
+  }
+  ids.ArrayName = array->GetName() ? array->GetName() : "";
+  const std::string name = "Center id: array '" + ids.ArrayName + "'";
+  if (array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != input->GetNumberOfPoints())
+  {
+    throw std::invalid_argument(name + " must have 1 component and a value for every point");
+  }
+  std::map<double, int> ranks;
+  std::vector<double> values(surface.Mesh.P.rows());
+  for (vtkIdType i = input->GetNumberOfPoints() - 1; i >= 0; --i)
+  {
+    const int point = surface.MeshPoint[i];
+    const double value = array->GetComponent(i, 0);
+    if (point == vtkSurfaceMesh::NotMoved)
+    {
+      continue;
+    }
+    if (value != std::floor(value) || std::abs(value) > 1e15)
+    {
+      throw std::invalid_argument(name + " must hold whole numbers; point " + std::to_string(i) +
+        " has " + std::to_string(value));
+    }
+    values[point] = value; // the first of coincident points comes last
+  }
+  for (const double value : values)
+  {
+    ranks[value] = 0;
+  }
+  if (ranks.size() > MaximumNumberOfCenters)
+  {
+    throw std::invalid_argument(name + " has " + std::to_string(ranks.size()) +
+      " different values; there can be " + std::to_string(MaximumNumberOfCenters) + " centers");
+  }
+  for (auto& [value, rank] : ranks)
+  {
+    rank = static_cast<int>(ids.Values.size());
+    ids.Values.push_back(static_cast<vtkIdType>(value));
+  }
+  for (const double value : values)
+  {
+    ids.OfPoints.push_back(ranks[value]);
+  }
+  return ids;
+}
+
+/// One row per id, of the point set's points. @throw std::invalid_argument naming the missing one
+Points FindCenters(const CenterIds& ids, vtkPointSet* given)
+{
+  if (ids.Values.empty())
+  {
+    throw std::invalid_argument("Centers: points are given, but no array of center ids (index 5)");
+  }
+  const vtkIdType n = given->GetNumberOfPoints();
+  vtkDataArray* own = given->GetPointData()->GetArray(ids.ArrayName.c_str());
+  Points centers(ids.Values.size(), 3);
+  for (std::size_t k = 0; k < ids.Values.size(); ++k)
+  {
+    vtkIdType at = own ? 0 : static_cast<vtkIdType>(k);
+    while (own && at < n && own->GetComponent(at, 0) != static_cast<double>(ids.Values[k]))
+    {
+      ++at;
+    }
+    if (at >= n)
+    {
+      throw std::invalid_argument(
+        "Centers: there is no point for center id " + std::to_string(ids.Values[k]));
+    }
+    given->GetPoint(at, centers.row(static_cast<Eigen::Index>(k)).data());
+  }
+  return centers;
+}
 
 /// The history as rows; how long each stage took and what solved the system as field data.
 void FillHistory(vtkTable* table, const SphericalStyle::StyleReport& report)
@@ -82,6 +188,15 @@ void FillHistory(vtkTable* table, const SphericalStyle::StyleReport& report)
   solver->SetName("LinearSolver");
   solver->InsertNextValue(report.linearSolver);
   table->GetFieldData()->AddArray(solver);
+  vtkNew<vtkDoubleArray> spheres;
+  spheres->SetName("Spheres");
+  spheres->SetNumberOfComponents(4);
+  for (const SphericalStyle::Sphere& sphere : report.spheres)
+  {
+    spheres->InsertNextTuple4(
+      sphere.center.x(), sphere.center.y(), sphere.center.z(), sphere.radius);
+  }
+  table->GetFieldData()->AddArray(spheres);
 }
 }
 
@@ -90,15 +205,22 @@ struct vtkSphericalStyleFilter::Internals
 {
   SphericalStyle::StyleSolver Solver;
 
+  struct Inputs
+  {
+    vtkPolyData* Model;
+    vtkPointSet* Centers;    // or nullptr
+    vtkSelection* Selection; // or nullptr
+  };
+
   /// @throw std::invalid_argument naming the property and its value
   static void CheckProperties(const vtkSphericalStyleFilter* self);
-  static SphericalStyle::StyleOptions MakeOptions(
-    vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, vtkPolyData* input);
+  static SphericalStyle::StyleOptions MakeOptions(vtkSphericalStyleFilter* self,
+    const vtkSurfaceMesh& surface, const Inputs& inputs, const std::vector<char>& region);
   static void Warn(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
     const SphericalStyle::StyleReport& report);
   static void SetFacts(vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report);
   void AttachArrays(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
-    vtkPolyData* input, vtkPolyData* output) const;
+    const Eigen::VectorXd& regionWeights, vtkPolyData* input, vtkPolyData* output) const;
 };
 
 void vtkSphericalStyleFilter::Internals::CheckProperties(const vtkSphericalStyleFilter* self)
@@ -109,12 +231,18 @@ void vtkSphericalStyleFilter::Internals::CheckProperties(const vtkSphericalStyle
     self->NormalBlend);
   Require(self->DetailSize >= 0.0 && self->DetailSize <= 0.2, "DetailSize", "in 0..0.2",
     self->DetailSize);
+  for (const auto& [name, value] : { std::pair("BorderWidth", self->BorderWidth),
+         std::pair("CenterBlendWidth", self->CenterBlendWidth) })
+  {
+    Require(value >= 0.0 && value <= 1.0, name, "in 0..1", value);
+  }
   Require(self->Tolerance > 0.0 && self->Tolerance < 1.0, "Tolerance", "above 0 and below 1",
     self->Tolerance);
 }
 
 SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
-  vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, vtkPolyData* input)
+  vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, const Inputs& inputs,
+  const std::vector<char>& region)
 {
   using namespace SphericalStyle;
   StyleOptions o;
@@ -138,7 +266,7 @@ SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
   const auto gather = [&](int index)
   {
     return vtkSurfaceMeshConversion::GatherPointArray(
-      self->GetInputArrayInformation(index), input, surface, ArrayRules[index]);
+      self->GetInputArrayInformation(index), inputs.Model, surface, ArrayRules[index]);
   };
   o.roundnessFactors = gather(ROUNDNESS_FACTOR).col(0);
   o.normalBlends = gather(NORMAL_BLEND).col(0);
@@ -153,6 +281,24 @@ SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
       o.normals.row(i) = o.normals.row(i).stableNormalized();
     }
   }
+  const CenterIds ids =
+    FindCenterIds(self->GetInputArrayInformation(CENTER_ID), surface, inputs.Model);
+  o.centerIds = ids.OfPoints;
+  o.centerBlend = self->CenterBlendWidth;
+  if (inputs.Centers)
+  {
+    o.centers = FindCenters(ids, inputs.Centers);
+  }
+  for (std::size_t i = 0; i < region.size(); ++i)
+  {
+    if (!region[i])
+    {
+      o.fixedPoints.push_back(static_cast<int>(i));
+    }
+  }
+  o.fixedPositions = surface.Mesh.P(o.fixedPoints, Eigen::all);
+  o.sphereOfFreePoints =
+    self->SphereOf == REGION && o.fixedPositions.rows() < surface.Mesh.P.rows();
   return self->ReproduceThesis ? ThesisOptions(o) : o;
 }
 
@@ -203,7 +349,8 @@ void vtkSphericalStyleFilter::Internals::SetFacts(
 }
 
 void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* self,
-  const vtkSurfaceMesh& surface, vtkPolyData* input, vtkPolyData* output) const
+  const vtkSurfaceMesh& surface, const Eigen::VectorXd& regionWeights, vtkPolyData* input,
+  vtkPolyData* output) const
 {
   using vtkSurfaceMeshConversion::AddPointArray;
   const int type = output->GetPoints()->GetDataType();
@@ -216,6 +363,10 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
   if (self->GenerateDisplacement)
   {
     vtkSurfaceMeshConversion::AddDisplacement(output, input);
+  }
+  if (regionWeights.size() > 0)
+  {
+    AddPointArray(output, surface, "RegionWeight", VTK_DOUBLE, regionWeights);
   }
   if (self->GenerateCellEnergy)
   {
@@ -237,16 +388,49 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
 vtkSphericalStyleFilter::vtkSphericalStyleFilter()
   : Internal(std::make_unique<Internals>())
 {
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(
     NORMALS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::NORMALS);
-  for (const int index : { ROUNDNESS_FACTOR, NORMAL_BLEND, TARGET_DIRECTIONS })
+  for (const int index :
+    { ROUNDNESS_FACTOR, NORMAL_BLEND, TARGET_DIRECTIONS, REGION_MASK, CENTER_ID })
   {
     this->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
   }
 }
 
 vtkSphericalStyleFilter::~vtkSphericalStyleFilter() = default;
+
+void vtkSphericalStyleFilter::SetCentersConnection(vtkAlgorithmOutput* centers)
+{
+  this->SetInputConnection(CENTERS, centers);
+}
+
+void vtkSphericalStyleFilter::SetCentersData(vtkPointSet* centers)
+{
+  this->SetInputData(CENTERS, centers);
+}
+
+void vtkSphericalStyleFilter::SetSelectionConnection(vtkAlgorithmOutput* selection)
+{
+  this->SetInputConnection(SELECTION, selection);
+}
+
+void vtkSphericalStyleFilter::SetSelectionData(vtkDataObject* selection)
+{
+  this->SetInputData(SELECTION, selection);
+}
+
+int vtkSphericalStyleFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  const char* types[] = { "vtkPolyData", "vtkPointSet", "vtkSelection" };
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
+  if (port != MODEL)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
 
 int vtkSphericalStyleFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
@@ -261,7 +445,10 @@ int vtkSphericalStyleFilter::FillOutputPortInformation(int port, vtkInformation*
 int vtkSphericalStyleFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
+  const Internals::Inputs inputs = { vtkPolyData::GetData(inputVector[MODEL], 0),
+    vtkPointSet::GetData(inputVector[CENTERS], 0),
+    vtkSelection::GetData(inputVector[SELECTION], 0) };
+  vtkPolyData* input = inputs.Model;
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   SphericalStyle::StyleReport report;
@@ -273,11 +460,15 @@ int vtkSphericalStyleFilter::RequestData(
 
   vtkSurfaceMesh surface;
   Points Q;
+  Eigen::VectorXd regionWeights;
   try
   {
     Internals::CheckProperties(this);
     surface = vtkSurfaceMeshConversion::FromPolyData(input, this->WeldCoincidentPoints);
-    const SphericalStyle::StyleOptions options = Internals::MakeOptions(this, surface, input);
+    const std::vector<char> region = vtkSurfaceRegion::Marks(
+      this->GetInputArrayInformation(REGION_MASK), inputs.Selection, input, surface);
+    const SphericalStyle::StyleOptions options =
+      Internals::MakeOptions(this, surface, inputs, region);
     if (surface.Mesh.F.rows() > 0)
     {
       this->SetProgressText("Rounding");
@@ -290,6 +481,12 @@ int vtkSphericalStyleFilter::RequestData(
           return !Aborted(this);
         });
       Q = this->Internal->Solver.GetPositions();
+      if (!region.empty())
+      {
+        const Points& P = surface.Mesh.P;
+        regionWeights = vtkSurfaceRegion::Weights(P, region, this->BorderWidth, options.threads);
+        Q = P + regionWeights.asDiagonal() * (Q - P);
+      }
     }
   }
   catch (const std::exception& error)
@@ -301,7 +498,7 @@ int vtkSphericalStyleFilter::RequestData(
   output->ShallowCopy(input);
   vtkSurfaceMeshConversion::ReplacePoints(
     output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);
-  this->Internal->AttachArrays(this, surface, input, output);
+  this->Internal->AttachArrays(this, surface, regionWeights, input, output);
   FillHistory(history, report);
   Internals::Warn(this, surface, report);
   Internals::SetFacts(this, report);
@@ -318,6 +515,9 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RadiusMode: " << this->RadiusMode << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "DetailSize: " << this->DetailSize << "\n";
+  os << indent << "SphereOf: " << this->SphereOf << "\n";
+  os << indent << "BorderWidth: " << this->BorderWidth << "\n";
+  os << indent << "CenterBlendWidth: " << this->CenterBlendWidth << "\n";
   os << indent << "SphericalWeighting: " << this->SphericalWeighting << "\n";
   os << indent << "ConcaveEdges: " << this->ConcaveEdges << "\n";
   os << indent << "EdgeWeighting: " << this->EdgeWeighting << "\n";

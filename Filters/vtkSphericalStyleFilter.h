@@ -12,24 +12,36 @@
  * carried along unmoved. Open borders, several components, non-manifold edges and coincident points
  * are allowed.
  *
+ * Input port 1, optional: vtkPointSet, centers of your own for array 5, one point per id: in the
+ * order of the ids, or, when it has a point array of that array's name, the point with that id.
+ *
+ * Input port 2, optional: vtkSelection of points or cells of the model. Points outside keep their
+ * bits.
+ *
  * Input arrays to process, all optional, all of point data:
  *  - 0: normals, 3 components, used where NormalBlend > 0 (default: the active normals; computed
  *       when there are none, and with DetailSize > 0, whose base has normals of its own);
  *  - 1: roundness factor, 1 component, >= 0: the Roundness of a point is Roundness times it;
  *  - 2: normal blend, 1 component, 0..1: replaces NormalBlend point by point;
- *  - 3: target directions, 3 components, replace t (length 1 means radius r).
+ *  - 3: target directions, 3 components, replace t (length 1 means radius r);
+ *  - 4: region, 1 component: points where it is 0 keep their bits. With a selection too, a point
+ *       must be in both;
+ *  - 5: center id, 1 component, whole numbers, at most 256 different ones: the points of each id
+ *       have a center and a radius of their own (thesis 4.6.6). Coincident points take the id of
+ *       the first of them.
  *
  * Output port 0: vtkPolyData with the cells, point order and every array of the input, and the
  * point arrays
  *  - TargetDirection (3): t, no unit [symbols];
  *  - Displacement (3): output minus input point, model length;
  *  - Normals: recomputed if the input had point normals or GenerateNormals is on;
+ *  - RegionWeight (1): with a region, 0 outside, 1 inside, between them along the border;
  *  - CellEnergy (1), Rotation (9, row by row): on demand.
  *
  * Output port 1: vtkTable, one row for the start and one per iteration: Iteration, Total, Rigid,
  * Spherical (energies, length^2), LocalChange, GlobalChange, Residual (Eq. 3.46), Gap (estimated,
  * see Tolerance; NaN while unknown). Its field data: StageSeconds (Base, Weights, Analyze, Factor,
- * Iterate) and LinearSolver.
+ * Iterate), LinearSolver, and Spheres (4: center and radius), one tuple per center id, ascending.
  *
  * Energy [energy], minimised over points p' and rotations R by local and global steps:
  *
@@ -38,7 +50,9 @@
  *
  * c_h half cotangents, l_h = Roundness / 2 (Uniform) or sqrt(3) Roundness c_h (Cotangent),
  * t = (1 - NormalBlend) d + NormalBlend n, d the unit vector from the centre. With DetailSize > 0
- * only the smooth base of the model goes to the sphere and its details just turn [detail].
+ * only the smooth base of the model goes to the sphere and its details just turn [detail]. With
+ * several centers k the target of an edge is sum_k omega_k(uv) r_k (t^k_u - t^k_v), omega_k(uv) the
+ * mean of the shares at its ends, so that nothing jumps between them.
  *
  * Source: Research of Spherical Style Deformation on Single Component Models (doctoral thesis),
  * chapter 4, Eq. 4.6 - 4.38 and 3.46 - 3.48; half-edge weights after Chao, Pinkall, Sanan,
@@ -64,6 +78,8 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
+
+class vtkPointSet;
 
 class SPHERICALSTYLEFILTERS_EXPORT vtkSphericalStyleFilter : public vtkPolyDataAlgorithm
 {
@@ -106,6 +122,11 @@ public:
     THESIS = 1,
     FIXED_ITERATIONS = 2
   };
+  enum SphereSources
+  {
+    WHOLE_MODEL = 0,
+    REGION = 1
+  };
   enum Anchors
   {
     CENTROID = 0,
@@ -116,6 +137,16 @@ public:
     BLEND = 0,
     REST = 1
   };
+
+  /// Centers of your own for the center ids. @{
+  void SetCentersConnection(vtkAlgorithmOutput* centers);
+  void SetCentersData(vtkPointSet* centers);
+  /// @}
+
+  /// What may move. @{
+  void SetSelectionConnection(vtkAlgorithmOutput* selection);
+  void SetSelectionData(vtkDataObject* selection);
+  /// @}
 
   ///@{
   /**
@@ -186,6 +217,36 @@ public:
    */
   vtkSetClampMacro(DetailSize, double, 0.0, 0.2);
   vtkGetMacro(DetailSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whose points and area give center and radius where there is a region: Region (default; a head
+   * becomes round in itself) or WholeModel. A Custom center or radius is taken as it is.
+   */
+  vtkSetClampMacro(SphereOf, int, WHOLE_MODEL, REGION);
+  vtkGetMacro(SphereOf, int);
+  void SetSphereOfToWholeModel() { this->SetSphereOf(WHOLE_MODEL); }
+  void SetSphereOfToRegion() { this->SetSphereOf(REGION); }
+  ///@}
+
+  ///@{
+  /**
+   * Width of the transition inside a region, as a fraction of the diagonal of the bounds. After the
+   * solve, with everything outside held, displacements fade to 0 over it: neither slope nor
+   * curvature jumps at the border. 0 leaves a crease. Range 0..1, default 0.1.
+   */
+  vtkSetClampMacro(BorderWidth, double, 0.0, 1.0);
+  vtkGetMacro(BorderWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Length over which several centers pass into each other along the surface, as a fraction of the
+   * diagonal of the bounds. 0 changes from one edge to the next. Range 0..1, default 0.02.
+   */
+  vtkSetClampMacro(CenterBlendWidth, double, 0.0, 1.0);
+  vtkGetMacro(CenterBlendWidth, double);
   ///@}
 
   ///@{
@@ -352,7 +413,8 @@ public:
   ///@{
   /**
    * Facts of the last execution: iterations done, whether the stop rule was met, the energy
-   * (length^2), the centre and radius that were used (model coordinates and length).
+   * (length^2), the centre and radius that were used (model coordinates and length; of the lowest
+   * id with several).
    */
   vtkGetMacro(NumberOfIterations, int);
   vtkGetMacro(Converged, bool);
@@ -365,6 +427,7 @@ protected:
   vtkSphericalStyleFilter();
   ~vtkSphericalStyleFilter() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -379,6 +442,9 @@ private:
   int RadiusMode = EQUAL_AREA;
   double Radius = 1.0;
   double DetailSize = 0.0;
+  int SphereOf = REGION;
+  double BorderWidth = 0.1;
+  double CenterBlendWidth = 0.02;
   int SphericalWeighting = UNIFORM;
   int ConcaveEdges = KEEP;
   int EdgeWeighting = HALF_EDGE;

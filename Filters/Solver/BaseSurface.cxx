@@ -5,10 +5,12 @@
 #include "EdgeMatrix.h"
 #include "SurfaceMeasures.h"
 
+#include <algorithm>
+
 namespace SphericalStyle
 {
-Points SmoothBase(
-  const Points& P, const MeshTopology& topology, const HalfEdgeScalars& cotangents, double size)
+Eigen::MatrixXd SmoothFields(const Points& P, const MeshTopology& topology,
+  const HalfEdgeScalars& cotangents, double size, const Eigen::MatrixXd& X)
 {
   const Eigen::VectorXd M = PointAreas(P, topology.GetTriangles());
   EdgeMatrix matrix(topology, std::vector<char>(P.rows(), 0));
@@ -16,12 +18,42 @@ Points SmoothBase(
   SparseCholesky factor;
   factor.Analyze(A);
   factor.Factor(A);
-  SparseCholesky::RightHandSides B = P;
-  for (int step = 0; step < 2; ++step)
+  Eigen::MatrixXd result(X.rows(), X.cols());
+  for (Eigen::Index first = 0; first < X.cols(); first += 3)
   {
-    B = M.asDiagonal() * B;
-    factor.Solve(B);
+    const Eigen::Index columns = std::min<Eigen::Index>(3, X.cols() - first);
+    SparseCholesky::RightHandSides B = SparseCholesky::RightHandSides::Zero(X.rows(), 3);
+    B.leftCols(columns) = X.middleCols(first, columns);
+    for (int step = 0; step < 2; ++step)
+    {
+      B = M.asDiagonal() * B;
+      factor.Solve(B);
+    }
+    result.middleCols(first, columns) = B.leftCols(columns);
   }
-  return B;
+  return result;
+}
+
+Points SmoothBase(
+  const Points& P, const MeshTopology& topology, const HalfEdgeScalars& cotangents, double size)
+{
+  return SmoothFields(P, topology, cotangents, size, P);
+}
+
+Eigen::MatrixXd CenterShares(const Points& P, const MeshTopology& topology,
+  const HalfEdgeScalars& cotangents, double size, const std::vector<int>& ids, int numberOfCenters)
+{
+  Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(P.rows(), numberOfCenters);
+  for (Eigen::Index i = 0; i < P.rows(); ++i)
+  {
+    shares(i, ids[i]) = 1.0;
+  }
+  if (size > 0.0)
+  {
+    // Obtuse triangles can bring a share below 0.
+    shares = SmoothFields(P, topology, cotangents, size, shares).cwiseMax(0.0);
+    shares.array().colwise() /= shares.rowwise().sum().array().eval();
+  }
+  return shares;
 }
 } // namespace SphericalStyle

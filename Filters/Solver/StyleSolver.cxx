@@ -37,6 +37,11 @@ void Require(bool condition, const char* message)
   }
 }
 
+int NumberOfCenters(const StyleOptions& o)
+{
+  return o.centerIds.empty() ? 1 : 1 + *std::max_element(o.centerIds.begin(), o.centerIds.end());
+}
+
 void CheckOptions(const StyleOptions& o, int n)
 {
   Require(std::isfinite(o.lambda) && o.lambda >= 0.0, "lambda must be finite and not negative");
@@ -64,6 +69,19 @@ void CheckOptions(const StyleOptions& o, int n)
   {
     Require(i >= 0 && i < n, "a fixed point lies outside the mesh");
   }
+  Require(!o.sphereOfFreePoints || static_cast<int>(o.fixedPoints.size()) < n,
+    "every point is fixed: none is left to take center and radius from");
+  Require(o.centerIds.empty() || static_cast<int>(o.centerIds.size()) == n,
+    "one center id per point is needed");
+  for (const int id : o.centerIds)
+  {
+    Require(id >= 0, "center ids must not be negative");
+  }
+  Require(o.centers.rows() == 0 || o.centers.rows() == NumberOfCenters(o),
+    "one center per center id is needed");
+  Require(o.centers.allFinite(), "centers must be finite");
+  Require(
+    o.centerBlend >= 0.0 && std::isfinite(o.centerBlend), "the center blend must be 0 or more");
 }
 
 /// The mesh is solved around the origin at diagonal 1, so that nothing depends on place and scale.
@@ -175,6 +193,10 @@ public:
   // Depends on detail size too.
   double BaseSize = -1.0;
   Points Base;
+  // Depends on the centers' ids and blend too.
+  std::vector<int> CenterIds;
+  double CenterBlend = 0.0;
+  Eigen::MatrixXd Shares; // n x centers; no columns for one center
   // Depends on weights and fixed points too.
   std::vector<int> FixedPoints;
   bool HasGlobal = false;
@@ -187,7 +209,11 @@ public:
   Matrices R;
 
   void UpdateBase(double detailSize);
-  Points Directions(const StyleOptions& options, StyleReport& report) const;
+  void UpdateShares(const StyleOptions& options);
+  std::vector<Sphere> Spheres(const StyleOptions& options) const;
+  Points Directions(
+    const StyleOptions& options, const Eigen::Vector3d& center, std::vector<int>& onCenter) const;
+  HalfEdgeVectors Targets(const StyleOptions& options, StyleReport& report);
   void UpdateGlobal(const std::vector<int>& fixedPoints);
   bool IsClosedForm(const StyleOptions& options, const StyleReport& report) const;
   void BuildEnergy(const StyleOptions& options, StyleReport& report);
@@ -238,6 +264,7 @@ void StyleSolver::SetMesh(const TriangleMesh& mesh)
   next->Edges = HalfEdgeDifferences(next->P, mesh.F);
   next->RestMeans = next->Topology.ComponentMeans(next->P);
   next->BaseSize = -1.0;
+  next->CenterIds.clear();
   this->S = std::move(next);
 }
 
@@ -254,15 +281,66 @@ void StyleSolver::State::UpdateBase(double detailSize)
   this->BaseSize = detailSize;
 }
 
-Points StyleSolver::State::Directions(const StyleOptions& options, StyleReport& report) const
+void StyleSolver::State::UpdateShares(const StyleOptions& options)
+{
+  if (options.centerIds == this->CenterIds && options.centerBlend == this->CenterBlend)
+  {
+    return;
+  }
+  this->CenterIds.clear();
+  const int centers = NumberOfCenters(options);
+  this->Shares.resize(this->P.rows(), 0);
+  if (centers > 1)
+  {
+    this->Shares = CenterShares(
+      this->P, this->Topology, this->Cotangents, options.centerBlend, options.centerIds, centers);
+  }
+  this->CenterIds = options.centerIds;
+  this->CenterBlend = options.centerBlend;
+}
+
+/// The target sphere of each center, in the frame.
+std::vector<Sphere> StyleSolver::State::Spheres(const StyleOptions& options) const
+{
+  const Frame& frame = this->MeshFrame;
+  const Sphere custom = { (options.custom.center - frame.origin.transpose()) / frame.scale,
+    options.custom.radius / frame.scale };
+  const int centers = NumberOfCenters(options);
+  const bool ofAll = !options.sphereOfFreePoints || options.fixedPoints.empty();
+  if (centers == 1 && ofAll)
+  {
+    return { TargetSphere(
+      this->Base, this->Given.F, options.centerMode, options.radiusMode, custom) };
+  }
+  std::vector<int> parts = options.centerIds;
+  parts.resize(this->P.rows(), 0);
+  if (!ofAll)
+  {
+    for (const int i : options.fixedPoints)
+    {
+      parts[i] = -1;
+    }
+  }
+  std::vector<Sphere> spheres = TargetSpheres(
+    this->Base, this->Given.F, parts, centers, options.centerMode, options.radiusMode, custom);
+  const Points given = frame.Into(options.centers);
+  for (Eigen::Index k = 0; k < given.rows(); ++k)
+  {
+    spheres[k].center = given.row(k);
+  }
+  return spheres;
+}
+
+/// t [symbols] for one center.
+Points StyleSolver::State::Directions(
+  const StyleOptions& options, const Eigen::Vector3d& center, std::vector<int>& onCenter) const
 {
   const int n = static_cast<int>(this->P.rows());
   if (options.targets.rows() > 0)
   {
     return options.targets;
   }
-  Points d =
-    CenterDirections(this->Base, this->Topology, report.sphere.center, report.pointsOnCenter);
+  Points d = CenterDirections(this->Base, this->Topology, center, onCenter);
   const Eigen::VectorXd a = options.normalBlends.size() > 0
     ? options.normalBlends
     : Eigen::VectorXd::Constant(n, options.normalBlend);
@@ -272,6 +350,32 @@ Points StyleSolver::State::Directions(const StyleOptions& options, StyleReport& 
   }
   const bool given = options.normals.rows() > 0 && options.detailSize == 0.0;
   return BlendDirections(d, given ? options.normals : PointNormals(this->Base, this->Given.F), a);
+}
+
+/// tau [energy] from every center, of the base; and t, of several centers by their shares.
+HalfEdgeVectors StyleSolver::State::Targets(const StyleOptions& options, StyleReport& report)
+{
+  report.spheres = this->Spheres(options);
+  report.sphere = report.spheres.front();
+  HalfEdgeVectors tau = HalfEdgeVectors::Zero(this->Given.F.rows(), 9);
+  if (report.spheres.size() == 1)
+  {
+    this->T = this->Directions(options, report.sphere.center, report.pointsOnCenter);
+    AddEdgeTargets(this->T, report.sphere.radius, {}, this->Given.F, tau);
+    return tau;
+  }
+  this->T = Points::Zero(this->P.rows(), 3);
+  for (std::size_t k = 0; k < report.spheres.size(); ++k)
+  {
+    const Sphere& sphere = report.spheres[k];
+    const Eigen::VectorXd omega = this->Shares.col(static_cast<Eigen::Index>(k));
+    std::vector<int> onCenter;
+    const Points t = this->Directions(options, sphere.center, onCenter);
+    AddEdgeTargets(t, sphere.radius, omega, this->Given.F, tau);
+    this->T += omega.asDiagonal() * t;
+    report.pointsOnCenter.insert(report.pointsOnCenter.end(), onCenter.begin(), onCenter.end());
+  }
+  return tau;
 }
 
 void StyleSolver::State::UpdateGlobal(const std::vector<int>& fixedPoints)
@@ -289,7 +393,7 @@ void StyleSolver::State::UpdateGlobal(const std::vector<int>& fixedPoints)
 bool StyleSolver::State::IsClosedForm(const StyleOptions& options, const StyleReport& report) const
 {
   return this->Energy.GetWeights().proportional && report.concaveHalfEdges == 0 &&
-    options.fixedPoints.empty();
+    options.fixedPoints.empty() && report.spheres.size() == 1;
 }
 
 void StyleSolver::State::StartFromBlend(double radius)
@@ -306,11 +410,6 @@ void StyleSolver::State::BuildEnergy(const StyleOptions& options, StyleReport& r
 {
   const Stopwatch watch;
   const Triangles& F = this->Given.F;
-  const Frame& frame = this->MeshFrame;
-  const Sphere custom = { (options.custom.center - frame.origin.transpose()) / frame.scale,
-    options.custom.radius / frame.scale };
-  report.sphere = TargetSphere(this->Base, F, options.centerMode, options.radiusMode, custom);
-  this->T = this->Directions(options, report);
   Eigen::VectorXd lambda = Eigen::VectorXd::Constant(this->P.rows(), options.lambda);
   if (options.roundnessFactors.size() > 0)
   {
@@ -318,21 +417,19 @@ void StyleSolver::State::BuildEnergy(const StyleOptions& options, StyleReport& r
   }
   EdgeWeights weights = ComputeEdgeWeights(
     this->Cotangents, F, lambda, options.edgeWeighting, options.sphericalWeighting);
-  const auto targets = [&](const HalfEdgeVectors& rest)
-  {
-    return EdgeTargets(
-      this->T, report.sphere.radius, F, rest, options.concaveEdges, report.concaveHalfEdges);
-  };
+  HalfEdgeVectors tau = this->Targets(options, report);
   if (options.detailSize > 0.0)
   {
     const HalfEdgeVectors baseEdges = HalfEdgeDifferences(this->Base, F);
+    report.concaveHalfEdges = ChangeConcaveTargets(baseEdges, options.concaveEdges, tau);
     this->Energy = StyleEnergy(this->Topology, std::move(weights), this->Edges,
-      this->Edges - baseEdges, targets(baseEdges), options.threads);
+      this->Edges - baseEdges, std::move(tau), options.threads);
   }
   else
   {
-    this->Energy = StyleEnergy(this->Topology, std::move(weights), this->Edges,
-      targets(this->Edges), HalfEdgeVectors(0, 9), options.threads);
+    report.concaveHalfEdges = ChangeConcaveTargets(this->Edges, options.concaveEdges, tau);
+    this->Energy = StyleEnergy(this->Topology, std::move(weights), this->Edges, std::move(tau),
+      HalfEdgeVectors(0, 9), options.threads);
   }
   report.seconds.weights = watch.Seconds();
 }
@@ -370,8 +467,12 @@ void StyleSolver::State::ToModelUnits(const StyleOptions& options, StyleReport& 
   {
     throw SolverError("the result is not finite");
   }
-  report.sphere.center = frame.scale * report.sphere.center + frame.origin.transpose();
-  report.sphere.radius *= frame.scale;
+  for (Sphere& sphere : report.spheres)
+  {
+    sphere.center = frame.scale * sphere.center + frame.origin.transpose();
+    sphere.radius *= frame.scale;
+  }
+  report.sphere = report.spheres.front();
   const double square = frame.scale * frame.scale;
   report.loop.restEnergy *= square;
   for (HistoryRow& row : report.loop.history)
@@ -391,6 +492,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   StyleReport report;
   const Stopwatch base;
   s.UpdateBase(options.detailSize);
+  s.UpdateShares(options);
   report.seconds.base = base.Seconds();
   s.BuildEnergy(options, report);
   s.UpdateGlobal(options.fixedPoints);

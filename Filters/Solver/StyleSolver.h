@@ -48,6 +48,11 @@ struct StyleOptions
   Points targets;                   ///< n x 3, replaces t
   std::vector<int> fixedPoints;     ///< points that keep fixedPositions, exactly
   Points fixedPositions;            ///< one row per fixed point
+  bool sphereOfFreePoints = false;  ///< O and r from the points that are not fixed alone
+
+  std::vector<int> centerIds; ///< n, 0..K-1: the center that a point follows; none: one for all
+  Points centers;             ///< K x 3, replace what centerMode gives; not for one center
+  double centerBlend = 0.0;   ///< fraction of the diagonal over which centers pass into each other
 };
 
 /// The method of the thesis to the letter: the options with everything else overridden.
@@ -56,7 +61,7 @@ StyleOptions ThesisOptions(StyleOptions options);
 /// Wall time of the stages of one solve, seconds.
 struct StageSeconds
 {
-  double base = 0.0;    ///< smooth base of [detail]
+  double base = 0.0;    ///< smooth base of [detail], shares of several centers
   double weights = 0.0; ///< cotangents, weights, targets
   double analyze = 0.0; ///< matrix, ordering, symbolic factor
   double factor = 0.0;  ///< numeric factor
@@ -66,7 +71,8 @@ struct StageSeconds
 struct StyleReport
 {
   LoopReport loop;
-  Sphere sphere;                   ///< what was used, model units
+  Sphere sphere;                   ///< what was used, model units; of the first center
+  std::vector<Sphere> spheres;     ///< of every center
   bool closedForm = false;         ///< the minimum was known: nothing was solved [blend]
   std::vector<int> pointsOnCenter; ///< points without a direction of their own
   int concaveHalfEdges = 0;        ///< flipped or zeroed
@@ -85,6 +91,7 @@ struct StyleReport
 /// | lambda (cotangent weights)               | targets                                  |
 /// | fixed points                             | ordering, symbolic and numeric factor    |
 /// | detail size                              | base, targets                            |
+/// | center ids, blend of several centers     | shares of the centers, targets           |
 /// | a, O, r, normals, targets, concave edges | targets                                  |
 class StyleSolver
 {

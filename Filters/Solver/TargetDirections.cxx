@@ -5,6 +5,7 @@
 #include "SurfaceMeasures.h"
 
 #include <cmath>
+#include <string>
 
 namespace SphericalStyle
 {
@@ -45,6 +46,72 @@ Sphere TargetSphere(
     throw std::invalid_argument("Center must be finite");
   }
   return sphere;
+}
+
+std::vector<Sphere> TargetSpheres(const Points& P, const Triangles& F,
+  const std::vector<int>& parts, int numberOfParts, CenterMode center, RadiusMode radius,
+  const Sphere& custom)
+{
+  std::vector<Sphere> spheres;
+  for (int part = 0; part < numberOfParts; ++part)
+  {
+    std::vector<int> own; // points
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      if (parts[i] == part)
+      {
+        own.push_back(static_cast<int>(i));
+      }
+    }
+    std::vector<int> triangles;
+    for (Eigen::Index f = 0; f < F.rows(); ++f)
+    {
+      const int a = parts[F(f, 0)];
+      const int b = parts[F(f, 1)];
+      const int c = parts[F(f, 2)];
+      if ((b == c ? b : a) == part)
+      {
+        triangles.push_back(static_cast<int>(f));
+      }
+    }
+    try
+    {
+      if (own.empty())
+      {
+        throw std::invalid_argument("there is no point in it");
+      }
+      // Only these points and triangles: others have no say, not even in the apex of the volume.
+      const Points& ownPoints = P(own, Eigen::all);
+      Points corners(3 * triangles.size(), 3);
+      Triangles soup(triangles.size(), 3);
+      for (std::size_t i = 0; i < triangles.size(); ++i)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const auto row = static_cast<int>(3 * i) + k;
+          corners.row(row) = P.row(F(triangles[i], k));
+          soup(static_cast<Eigen::Index>(i), k) = row;
+        }
+      }
+      Sphere given = custom;
+      if (center == CenterMode::PointMean)
+      {
+        given.center = ownPoints.colwise().mean();
+      }
+      const bool needsSurface = center == CenterMode::AreaCentroid || radius != RadiusMode::Custom;
+      if (needsSurface && triangles.empty())
+      {
+        throw std::invalid_argument("there is no triangle in it");
+      }
+      spheres.push_back(TargetSphere(corners, soup,
+        center == CenterMode::PointMean ? CenterMode::Custom : center, radius, given));
+    }
+    catch (const std::invalid_argument& error)
+    {
+      throw std::invalid_argument("part " + std::to_string(part) + ": " + error.what());
+    }
+  }
+  return spheres;
 }
 
 Points CenterDirections(const Points& P, const MeshTopology& topology, const Eigen::Vector3d& O,
@@ -89,17 +156,30 @@ Points BlendDirections(const Points& d, const Points& n, const Eigen::VectorXd& 
   return d.array().colwise() * (1.0 - a.array()) + n.array().colwise() * a.array();
 }
 
-HalfEdgeVectors EdgeTargets(const Points& t, double r, const Triangles& F,
-  const HalfEdgeVectors& rest, ConcaveEdges concave, int& changed)
+void AddEdgeTargets(
+  const Points& t, double r, const Eigen::VectorXd& omega, const Triangles& F, HalfEdgeVectors& tau)
 {
-  HalfEdgeVectors tau = HalfEdgeDifferences(r * t, F);
-  changed = 0;
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int u = F(f, HalfEdgeStart(k));
+      const int v = F(f, HalfEdgeEnd(k));
+      const double share = omega.size() > 0 ? 0.5 * (omega[u] + omega[v]) : 1.0;
+      tau.block<1, 3>(f, 3 * k) += share * (r * t.row(u) - r * t.row(v));
+    }
+  }
+}
+
+int ChangeConcaveTargets(const HalfEdgeVectors& rest, ConcaveEdges concave, HalfEdgeVectors& tau)
+{
+  int changed = 0;
   if (concave == ConcaveEdges::Keep)
   {
-    return tau;
+    return changed;
   }
   const double factor = concave == ConcaveEdges::Flip ? -1.0 : 0.0;
-  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  for (Eigen::Index f = 0; f < tau.rows(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
@@ -111,6 +191,6 @@ HalfEdgeVectors EdgeTargets(const Points& t, double r, const Triangles& F,
       }
     }
   }
-  return tau;
+  return changed;
 }
 } // namespace SphericalStyle

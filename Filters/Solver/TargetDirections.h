@@ -42,6 +42,14 @@ struct Sphere
 Sphere TargetSphere(
   const Points& P, const Triangles& F, CenterMode center, RadiusMode radius, const Sphere& custom);
 
+/// The same for each part of a surface by itself: its points, and the triangles that have two or
+/// three corners in it (of three parts at one triangle, the part of its first corner takes it).
+/// @param parts  n, 0..numberOfParts-1, or -1 for points of no part
+/// @throw std::invalid_argument as TargetSphere, naming the part, also when it has no point
+std::vector<Sphere> TargetSpheres(const Points& P, const Triangles& F,
+  const std::vector<int>& parts, int numberOfParts, CenterMode center, RadiusMode radius,
+  const Sphere& custom);
+
 /// d_i = (p_i - O) / |p_i - O| (Eq. 4.4). A point within 1e-12 diagonals of O has no direction: it
 /// takes the mean over the other corners of its triangles (zero when they surround it evenly).
 /// @param onCenter  those points, ascending
@@ -51,11 +59,16 @@ Points CenterDirections(const Points& P, const MeshTopology& topology, const Eig
 /// t_i = (1 - a_i) d_i + a_i n_i (Eq. 4.6), a of one entry per point.
 Points BlendDirections(const Points& d, const Points& n, const Eigen::VectorXd& a);
 
-/// tau_uv = r (t_u - t_v) per half-edge, m x 9, length.
-/// @param rest  rest edges e_uv that the concave test tau . e < 0 is made on, once
-/// @param changed  number of half-edges flipped or zeroed
-HalfEdgeVectors EdgeTargets(const Points& t, double r, const Triangles& F,
-  const HalfEdgeVectors& rest, ConcaveEdges concave, int& changed);
+/// Adds omega_uv r (t_u - t_v) per half-edge to tau (m x 9, length): the targets of one center
+/// [energy].
+/// @param omega  n, share of this center; an edge takes the mean of its ends, so that both follow
+///        the same centers. No rows: 1
+void AddEdgeTargets(const Points& t, double r, const Eigen::VectorXd& omega, const Triangles& F,
+  HalfEdgeVectors& tau);
+
+/// Flips or zeroes the targets that oppose their edge, tau . e < 0, once on the rest shape.
+/// @param rest  rest edges e_uv @return number of half-edges changed
+int ChangeConcaveTargets(const HalfEdgeVectors& rest, ConcaveEdges concave, HalfEdgeVectors& tau);
 } // namespace SphericalStyle
 
 #endif

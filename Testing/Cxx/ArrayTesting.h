@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Arrays of many types, for tests that look at what becomes of them.
+/// Arrays and selections, for tests that look at what becomes of them.
 #ifndef ArrayTesting_h
 #define ArrayTesting_h
 
@@ -13,12 +13,65 @@
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkLongLongArray.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkShortArray.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 namespace FilterTesting
 {
+/// All messages in one line, for the text of a check.
+inline std::string Joined(const std::vector<std::string>& messages)
+{
+  std::string all;
+  for (const std::string& message : messages)
+  {
+    all += " | " + message;
+  }
+  return all;
+}
+
+inline vtkDataArray* PointArray(vtkPolyData* surface, const char* name)
+{
+  return surface->GetPointData()->GetArray(name);
+}
+
+/// An array of doubles, one tuple a point, filled by its id.
+inline vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, vtkPolyData* surface,
+  int components, const std::function<double(vtkIdType, int)>& value)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(surface->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    for (int k = 0; k < components; ++k)
+    {
+      array->SetComponent(i, k, value(i, k));
+    }
+  }
+  return array;
+}
+
+inline vtkSmartPointer<vtkSelection> MakeSelection(
+  const std::vector<vtkIdType>& ids, int field, int content = vtkSelectionNode::INDICES)
+{
+  vtkNew<vtkIdTypeArray> list;
+  for (const vtkIdType id : ids)
+  {
+    list->InsertNextValue(id);
+  }
+  vtkNew<vtkSelectionNode> node;
+  node->SetFieldType(field);
+  node->SetContentType(content);
+  node->SetSelectionList(list);
+  auto selection = vtkSmartPointer<vtkSelection>::New();
+  selection->AddNode(node);
+  return selection;
+}
+
 /// An array of any number type with values that differ from tuple to tuple.
 template <typename Array>
 vtkSmartPointer<Array> MakeAny(const char* name, vtkIdType tuples, int components)

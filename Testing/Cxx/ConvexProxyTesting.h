@@ -1,17 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of vtkConvexProxyDeformFilter share beyond FilterTesting.h.
+/// What the tests of vtkConvexProxyDeformFilter share beyond ArrayTesting.h.
 #ifndef ConvexProxyTesting_h
 #define ConvexProxyTesting_h
 
-#include "FilterTesting.h"
+#include "ArrayTesting.h"
 
 #include "vtkConvexProxyDeformFilter.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 
 namespace FilterTesting
 {
@@ -34,57 +30,6 @@ public:
     this->Get()->SetNumberOfProxyPoints(300);
   }
 };
-
-/// All messages in one line, for the text of a check.
-inline std::string Joined(const std::vector<std::string>& messages)
-{
-  std::string all;
-  for (const std::string& message : messages)
-  {
-    all += " | " + message;
-  }
-  return all;
-}
-
-inline vtkDataArray* PointArray(vtkPolyData* surface, const char* name)
-{
-  return surface->GetPointData()->GetArray(name);
-}
-
-/// An array of doubles, one tuple a point, filled by its id.
-inline vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, vtkPolyData* surface,
-  int components, const std::function<double(vtkIdType, int)>& value)
-{
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(surface->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    for (int k = 0; k < components; ++k)
-    {
-      array->SetComponent(i, k, value(i, k));
-    }
-  }
-  return array;
-}
-
-inline vtkSmartPointer<vtkSelection> MakeSelection(
-  const std::vector<vtkIdType>& ids, int field, int content = vtkSelectionNode::INDICES)
-{
-  vtkNew<vtkIdTypeArray> list;
-  for (const vtkIdType id : ids)
-  {
-    list->InsertNextValue(id);
-  }
-  vtkNew<vtkSelectionNode> node;
-  node->SetFieldType(field);
-  node->SetContentType(content);
-  node->SetSelectionList(list);
-  auto selection = vtkSmartPointer<vtkSelection>::New();
-  selection->AddNode(node);
-  return selection;
-}
 
 /// sum_k b_k x_k at the foot of point i, by the arrays of the filter.
 inline Vector AtFoot(vtkPolyData* output, vtkPolyData* proxy, vtkIdType i,

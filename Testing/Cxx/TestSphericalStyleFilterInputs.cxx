@@ -737,6 +737,9 @@ void Properties(Checker& check)
   RoundTrip(RadiusMode, 0, 2);
   RoundTrip(Radius, 1.0, 7.0);
   RoundTrip(DetailSize, 0.0, 0.03);
+  RoundTrip(SphereOf, 1, 0);
+  RoundTrip(BorderWidth, 0.1, 0.3);
+  RoundTrip(CenterBlendWidth, 0.02, 0.2);
   RoundTrip(SphericalWeighting, 0, 1);
   RoundTrip(ConcaveEdges, 0, 2);
   RoundTrip(EdgeWeighting, 0, 1);
@@ -760,6 +763,8 @@ void Properties(Checker& check)
   Clamped(NormalBlend, 1.5, 1.0);
   Clamped(DetailSize, -1.0, 0.0);
   Clamped(DetailSize, 1.0, 0.2);
+  Clamped(BorderWidth, -1.0, 0.0);
+  Clamped(CenterBlendWidth, 2.0, 1.0);
   Clamped(Tolerance, 0.0, 1e-14);
   Clamped(MaximumNumberOfIterations, -1, 0);
   Clamped(CenterMode, 3, 2);
@@ -771,6 +776,8 @@ void Properties(Checker& check)
   Mode(RadiusMode, EqualArea, EQUAL_AREA, 0);
   Mode(RadiusMode, EqualVolume, EQUAL_VOLUME, 1);
   Mode(RadiusMode, Custom, CUSTOM_RADIUS, 2);
+  Mode(SphereOf, WholeModel, WHOLE_MODEL, 0);
+  Mode(SphereOf, Region, REGION, 1);
   Mode(SphericalWeighting, Uniform, UNIFORM, 0);
   Mode(SphericalWeighting, Cotangent, COTANGENT, 1);
   Mode(ConcaveEdges, Keep, KEEP, 0);

@@ -23,10 +23,10 @@ FILTERS = {
     "SphericalStyleFilter": {
         "label": "Spherical Style",
         "known": {"Roundness", "Center", "GenerateRotation", "StopRule"},
-        "inputs": ["Input"],
+        "inputs": ["Input", "Centers", "Selection"],
         "outputs": ["Rounded", "Energy"],
         "arrays": ["NormalsArray", "RoundnessFactorArray", "NormalBlendArray",
-                   "TargetDirectionsArray"],
+                   "TargetDirectionsArray", "RegionArray", "CenterIdArray"],
     },
     "ConvexProxyDeformFilter": {
         "label": "Convex Proxy Deform",

@@ -360,11 +360,13 @@ void TestEdgeTargets()
     const Points t = 0.3 * P + 0.5 * RandomPoints(P.rows(), random);
     const double r = 1.7;
     const HalfEdgeVectors rest = HalfEdgeDifferences(P, F);
-    int changed = -1;
-    const HalfEdgeVectors keep = EdgeTargets(t, r, F, rest, ConcaveEdges::Keep, changed);
-    int flipped = -1, zeroed = -1;
-    const HalfEdgeVectors flip = EdgeTargets(t, r, F, rest, ConcaveEdges::Flip, flipped);
-    const HalfEdgeVectors zero = EdgeTargets(t, r, F, rest, ConcaveEdges::Zero, zeroed);
+    HalfEdgeVectors keep = HalfEdgeVectors::Zero(F.rows(), 9);
+    AddEdgeTargets(t, r, {}, F, keep);
+    HalfEdgeVectors flip = keep, zero = keep;
+    const int changed = ChangeConcaveTargets(rest, ConcaveEdges::Keep, keep);
+    CHECK(changed == 0, named.name << ": Keep should change nothing");
+    const int flipped = ChangeConcaveTargets(rest, ConcaveEdges::Flip, flip);
+    const int zeroed = ChangeConcaveTargets(rest, ConcaveEdges::Zero, zero);
     int concave = 0;
     std::map<std::pair<int, int>, bool> ofEdge;
     for (int f = 0; f < F.rows(); ++f)
@@ -476,11 +478,12 @@ void TestExactSphere()
   for (const double a : { 0.0, 0.5, 1.0 })
   {
     const Points t = BlendDirections(d, normals, Eigen::VectorXd::Constant(n, a));
-    int changed = 0;
+    HalfEdgeVectors tau = HalfEdgeVectors::Zero(mesh.F.rows(), 9);
+    AddEdgeTargets(t, r, {}, mesh.F, tau);
     const StyleEnergy energy(topology,
       ComputeEdgeWeights(HalfEdgeCotangents(mesh.P, mesh.F), mesh.F,
         Eigen::VectorXd::Constant(n, 5.0), EdgeWeighting::HalfEdge, SphericalWeighting::Uniform),
-      e, EdgeTargets(t, r, mesh.F, e, ConcaveEdges::Keep, changed), {}, 1);
+      e, tau, {}, 1);
     const double spherical = energy.Evaluate(mesh.P, Matrices(n, Matrix3d::Identity())).spherical;
     CHECK(spherical <= 1e-26 * energy.GetScale(),
       "a = " << a << ": the spherical energy of a sphere should be zero, is " << spherical);
