@@ -83,6 +83,35 @@ picture("center.png", (1000, 330), [[
     (around(0.15), "0.15 above the top"),
 ]], 25.0, 13)
 
+snowman = demo.read(ROOT / "Data" / "snowman.vtp")
+
+
+def around_centers(surface):
+    style = vtkSphericalStyleFilter()
+    style.SetInputArrayToProcess(5, 0, 0, 0, "CenterId")
+    return run(style, surface, {"Roundness": 5.0}).GetOutput()
+
+
+def part_by_part(surface):
+    """From the top down, the rest held (thesis 4.6.6)."""
+    part = numpy_support.vtk_to_numpy(surface.GetPointData().GetArray("CenterId"))
+    for number in (2, 1, 0):
+        mask = numpy_support.numpy_to_vtk((part == number).astype(np.int32), deep=True)
+        mask.SetName("Part")
+        surface.GetPointData().AddArray(mask)
+        style = vtkSphericalStyleFilter()
+        style.SetInputArrayToProcess(4, 0, 0, 0, "Part")
+        surface = run(style, surface, {"Roundness": 5.0, "BorderWidth": 0.0}).GetOutput()
+    return surface
+
+
+picture("snowman.png", (1000, 330), [[
+    (snowman, "model"),
+    (rounded(snowman, Roundness=5.0), "one center"),
+    (around_centers(snowman), "three centers"),
+    (part_by_part(snowman), "one part after the other"),
+]], 25.0, 13)
+
 # --------------------------------------------------------------------------------- ConvexProxyDeform
 car = demo.read(ROOT / "Data" / "car.vtp")
 bottle = demo.read(ROOT / "Data" / "bottle.vtp")
