@@ -4,6 +4,7 @@
 
 #include "BaseSurface.h"
 #include "LocalStep.h"
+#include "SolverMesh.h"
 #include "Stopwatch.h"
 #include "SurfaceMeasures.h"
 
@@ -84,30 +85,6 @@ void CheckOptions(const StyleOptions& o, int n)
     o.centerBlend >= 0.0 && std::isfinite(o.centerBlend), "the center blend must be 0 or more");
 }
 
-/// The mesh is solved around the origin at diagonal 1, so that nothing depends on place and scale.
-struct Frame
-{
-  Eigen::RowVector3d origin = Eigen::RowVector3d::Zero();
-  double scale = 1.0;
-
-  Points Into(const Points& x) const { return (x.rowwise() - this->origin) / this->scale; }
-  Points OutOf(const Points& x) const { return (this->scale * x).rowwise() + this->origin; }
-};
-
-Frame FrameOf(const Points& P)
-{
-  const Eigen::RowVector3d low = P.colwise().minCoeff();
-  const Eigen::RowVector3d high = P.colwise().maxCoeff();
-  Frame frame;
-  frame.origin = 0.5 * low + 0.5 * high;
-  frame.scale = (0.5 * high - 0.5 * low).stableNorm() * 2.0;
-  if (!(frame.scale > 0.0) || !std::isfinite(frame.scale))
-  {
-    throw std::invalid_argument("the points are all equal or too far apart");
-  }
-  return frame;
-}
-
 /// Lets LocalGlobal run the two steps of StyleEnergy.
 class LinearFeature : public TwoStepEnergy
 {
@@ -179,15 +156,10 @@ private:
 }
 
 //------------------------------------------------------------------------------------------------
-class StyleSolver::State
+class StyleSolver::State : public SolverMesh
 {
 public:
   // Depends on the mesh.
-  Frame MeshFrame;
-  TriangleMesh Given; // as given, to recognise it
-  Points P;           // in the frame
-  MeshTopology Topology;
-  HalfEdgeScalars Cotangents;
   HalfEdgeVectors Edges;
   Points RestMeans;
   // Depends on detail size too.
@@ -232,35 +204,14 @@ StyleSolver::~StyleSolver() = default;
 
 void StyleSolver::SetMesh(const TriangleMesh& mesh)
 {
-  if (mesh.F.rows() == 0)
-  {
-    throw std::invalid_argument("the mesh has no triangle");
-  }
-  State& s = *this->S;
-  const bool sameTriangles =
-    s.Given.F.rows() == mesh.F.rows() && s.Given.P.rows() == mesh.P.rows() && s.Given.F == mesh.F;
-  if (sameTriangles && s.Given.P == mesh.P)
+  const MeshChange change = this->S->Compare(mesh);
+  if (change == MeshChange::Nothing)
   {
     return;
   }
-  if (!mesh.P.allFinite())
-  {
-    throw std::invalid_argument("a point is not finite");
-  }
-  auto next = sameTriangles ? std::move(this->S) : std::make_unique<State>();
+  auto next = change == MeshChange::Points ? std::move(this->S) : std::make_unique<State>();
   this->S = std::make_unique<State>(); // empty, should a line below throw
-  next->Given = mesh;
-  if (!sameTriangles)
-  {
-    next->Topology = MeshTopology(mesh.F, static_cast<int>(mesh.P.rows()));
-  }
-  next->MeshFrame = FrameOf(mesh.P);
-  next->P = next->MeshFrame.Into(mesh.P);
-  next->Cotangents = HalfEdgeCotangents(next->P, mesh.F);
-  if (!next->Cotangents.allFinite())
-  {
-    throw std::invalid_argument("a triangle has no area");
-  }
+  next->Set(mesh, change);
   next->Edges = HalfEdgeDifferences(next->P, mesh.F);
   next->RestMeans = next->Topology.ComponentMeans(next->P);
   next->BaseSize = -1.0;
@@ -473,15 +424,7 @@ void StyleSolver::State::ToModelUnits(const StyleOptions& options, StyleReport& 
     sphere.radius *= frame.scale;
   }
   report.sphere = report.spheres.front();
-  const double square = frame.scale * frame.scale;
-  report.loop.restEnergy *= square;
-  for (HistoryRow& row : report.loop.history)
-  {
-    row.energy.rigid *= square;
-    row.energy.spherical *= square;
-    row.localChange *= square;
-    row.globalChange *= square;
-  }
+  frame.OutOf(report.loop);
 }
 
 StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& callback)

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Model units and the units of a solve.
+#ifndef SphericalStyle_Frame_h
+#define SphericalStyle_Frame_h
+
+#include "LocalGlobal.h"
+
+#include <cmath>
+
+namespace SphericalStyle
+{
+/// A mesh is solved around the origin at diagonal 1, so that nothing depends on place and scale.
+struct Frame
+{
+  Eigen::RowVector3d origin = Eigen::RowVector3d::Zero(); ///< length
+  double scale = 1.0;                                     ///< diagonal of the bounds, length
+
+  Points Into(const Points& x) const { return (x.rowwise() - this->origin) / this->scale; }
+  Points OutOf(const Points& x) const { return (this->scale * x).rowwise() + this->origin; }
+
+  /// Takes the energies of a report, length^2, out of the frame.
+  void OutOf(LoopReport& report) const
+  {
+    const double square = this->scale * this->scale;
+    report.restEnergy *= square;
+    for (HistoryRow& row : report.history)
+    {
+      row.energy.rigid *= square;
+      row.energy.spherical *= square;
+      row.localChange *= square;
+      row.globalChange *= square;
+    }
+  }
+};
+
+/// Origin in the middle of the bounds. @throw std::invalid_argument when they have no extent
+inline Frame FrameOf(const Points& P)
+{
+  const Eigen::RowVector3d low = P.colwise().minCoeff();
+  const Eigen::RowVector3d high = P.colwise().maxCoeff();
+  Frame frame;
+  frame.origin = 0.5 * low + 0.5 * high;
+  frame.scale = (0.5 * high - 0.5 * low).stableNorm() * 2.0;
+  if (!(frame.scale > 0.0) || !std::isfinite(frame.scale))
+  {
+    throw std::invalid_argument("the points are all equal or too far apart");
+  }
+  return frame;
+}
+} // namespace SphericalStyle
+
+#endif

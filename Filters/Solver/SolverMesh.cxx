@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SolverMesh.h"
+
+#include "EdgeWeights.h"
+
+namespace SphericalStyle
+{
+MeshChange SolverMesh::Compare(const TriangleMesh& mesh) const
+{
+  if (mesh.F.rows() == 0)
+  {
+    throw std::invalid_argument("the mesh has no triangle");
+  }
+  const TriangleMesh& given = this->Given;
+  const bool sameTriangles =
+    given.F.rows() == mesh.F.rows() && given.P.rows() == mesh.P.rows() && given.F == mesh.F;
+  if (sameTriangles && given.P == mesh.P)
+  {
+    return MeshChange::Nothing;
+  }
+  if (!mesh.P.allFinite())
+  {
+    throw std::invalid_argument("a point is not finite");
+  }
+  return sameTriangles ? MeshChange::Points : MeshChange::Triangles;
+}
+
+void SolverMesh::Set(const TriangleMesh& mesh, MeshChange change)
+{
+  this->Given = mesh;
+  if (change == MeshChange::Triangles)
+  {
+    this->Topology = MeshTopology(mesh.F, static_cast<int>(mesh.P.rows()));
+  }
+  this->MeshFrame = FrameOf(mesh.P);
+  this->P = this->MeshFrame.Into(mesh.P);
+  this->Cotangents = HalfEdgeCotangents(this->P, mesh.F);
+  if (!this->Cotangents.allFinite())
+  {
+    throw std::invalid_argument("a triangle has no area");
+  }
+}
+} // namespace SphericalStyle

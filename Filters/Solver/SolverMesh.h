@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A mesh made ready for a solve.
+#ifndef SphericalStyle_SolverMesh_h
+#define SphericalStyle_SolverMesh_h
+
+#include "Frame.h"
+#include "MeshTopology.h"
+
+namespace SphericalStyle
+{
+/// What a new mesh makes stale.
+enum class MeshChange
+{
+  Nothing,
+  Points,
+  Triangles
+};
+
+/// What depends on points and triangles alone. Lengths are those of the frame.
+struct SolverMesh
+{
+  TriangleMesh Given; ///< as given, to recognise it
+  Frame MeshFrame;
+  Points P;
+  MeshTopology Topology;
+  HalfEdgeScalars Cotangents;
+
+  /// @throw std::invalid_argument for a mesh without triangles or with points that are not finite
+  MeshChange Compare(const TriangleMesh& mesh) const;
+  /// Takes the mesh. @param change  Compare(mesh): with Points, the topology is kept
+  /// @throw std::invalid_argument: see MeshTopology; triangles without area
+  void Set(const TriangleMesh& mesh, MeshChange change);
+};
+} // namespace SphericalStyle
+
+#endif
