@@ -67,6 +67,21 @@ double EstimateRest(const std::vector<double>& energies, std::size_t size)
 }
 }
 
+Rises CountRises(const LoopReport& report)
+{
+  Rises rises;
+  const std::vector<HistoryRow>& rows = report.history;
+  for (std::size_t k = 1; k < rows.size(); ++k)
+  {
+    const double before = rows[k - 1].energy.Total();
+    const double rounding = 1e-12 * std::max(std::abs(report.restEnergy), std::abs(before));
+    rises.iterations += rows[k].energy.Total() - before > rounding ? 1 : 0;
+    rises.localSteps += rows[k].localChange > rounding ? 1 : 0;
+    rises.globalSteps += rows[k].globalChange > rounding ? 1 : 0;
+  }
+  return rises;
+}
+
 double EstimateGap(const std::vector<double>& energies, double restEnergy)
 {
   const std::size_t size = energies.size();
@@ -123,6 +138,7 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
     fitted = options.acceleration && anderson.Mix(Q, image, mixed);
     if (fitted)
     {
+      problem.KeepLocal();
       problem.FitLocal(mixed);
       row.energy = problem.Evaluate(mixed);
       if (row.energy.Total() <= bound)
@@ -133,6 +149,7 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
       {
         anderson.Reset();
         Q.swap(image);
+        problem.RestoreLocal();
         problem.FitLocal(Q);
         row.energy = problem.Evaluate(Q);
       }

@@ -47,6 +47,16 @@ struct LoopReport
   std::vector<HistoryRow> history;
 };
 
+/// Steps that raised E by more than rounding (1e-12 of what it began with).
+struct Rises
+{
+  int iterations = 0;
+  int localSteps = 0;
+  int globalSteps = 0;
+};
+
+Rises CountRises(const LoopReport& report);
+
 /// Called once per iteration with its number and the change of the energy relative to E_0; false
 /// ends the loop.
 using Callback = std::function<bool(int iteration, double change)>;
@@ -56,11 +66,15 @@ class TwoStepEnergy
 {
 public:
   virtual ~TwoStepEnergy() = default;
-  /// [local]: R := argmin E(Q, .). @return the change of E, <= 0
+  /// [local]: R := argmin E(Q, .), or nearer to it. @return the change of E, <= 0
   virtual double FitLocal(const Points& Q) = 0;
   /// [global]: Q := argmin E(., R).
   virtual void SolveGlobal(Points& Q) = 0;
   virtual EnergyTerms Evaluate(const Points& Q) const = 0;
+  /// For a local step that goes on from what it found last: remembers that, and goes back to it. A
+  /// local step that depends on Q alone needs neither.
+  virtual void KeepLocal() {}
+  virtual void RestoreLocal() {}
 };
 
 /// Estimated energy gap (E_k - E*) / (E_0 - E*) [stop], E* extrapolated from the decay of E.
