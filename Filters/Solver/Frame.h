@@ -25,6 +25,7 @@ struct Frame
   {
     const double square = this->scale * this->scale;
     report.restEnergy *= square;
+    report.negligible *= square;
     for (HistoryRow& row : report.history)
     {
       row.energy.rigid *= square;

@@ -74,7 +74,8 @@ Rises CountRises(const LoopReport& report)
   for (std::size_t k = 1; k < rows.size(); ++k)
   {
     const double before = rows[k - 1].energy.Total();
-    const double rounding = 1e-12 * std::max(std::abs(report.restEnergy), std::abs(before));
+    const double rounding =
+      std::max(1e-12 * std::max(report.restEnergy, std::abs(before)), report.negligible);
     rises.iterations += rows[k].energy.Total() - before > rounding ? 1 : 0;
     rises.localSteps += rows[k].localChange > rounding ? 1 : 0;
     rises.globalSteps += rows[k].globalChange > rounding ? 1 : 0;
@@ -107,6 +108,7 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
 {
   LoopReport report;
   report.restEnergy = restEnergy;
+  report.negligible = negligible;
   HistoryRow start;
   start.energy = problem.Evaluate(Q);
   start.globalChange = start.energy.Total() - restEnergy;

@@ -44,10 +44,11 @@ struct LoopReport
   bool converged = false;
   bool aborted = false;
   double restEnergy = 0.0; ///< E_0: the unmoved model; with fixed points, of the blend if more
+  double negligible = 0.0; ///< energies below this are zero
   std::vector<HistoryRow> history;
 };
 
-/// Steps that raised E by more than rounding (1e-12 of what it began with).
+/// Steps that raised E by more than rounding: 1e-12 of E or of E_0, or what is negligible.
 struct Rises
 {
   int iterations = 0;
