@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSphericalStyleFilter.h"
 
+#include "NonlinearFeature.h"
 #include "vtkFilterSupport.h"
 #include "vtkSurfaceMeshConversion.h"
 #include "vtkSurfaceRegion.h"
@@ -151,6 +152,25 @@ Points FindCenters(const CenterIds& ids, vtkPointSet* given)
   return centers;
 }
 
+/// One row per point of the solve, no row where no array was chosen.
+vtkSurfaceMeshConversion::Rows Gather(
+  vtkSphericalStyleFilter* self, int index, const vtkSurfaceMesh& surface, vtkPolyData* input)
+{
+  return vtkSurfaceMeshConversion::GatherPointArray(
+    self->GetInputArrayInformation(index), input, surface, ArrayRules[index]);
+}
+
+Points GatherNormals(
+  vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, vtkPolyData* input)
+{
+  Points normals = Gather(self, NORMALS, surface, input);
+  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  {
+    normals.row(i) = normals.row(i).stableNormalized();
+  }
+  return normals;
+}
+
 /// The history as rows; how long each stage took and what solved the system as field data.
 void FillHistory(vtkTable* table, const SphericalStyle::StyleReport& report)
 {
@@ -204,6 +224,7 @@ void FillHistory(vtkTable* table, const SphericalStyle::StyleReport& report)
 struct vtkSphericalStyleFilter::Internals
 {
   SphericalStyle::StyleSolver Solver;
+  SphericalStyle::NonlinearFeature Nonlinear;
 
   struct Inputs
   {
@@ -214,10 +235,19 @@ struct vtkSphericalStyleFilter::Internals
 
   /// @throw std::invalid_argument naming the property and its value
   static void CheckProperties(const vtkSphericalStyleFilter* self);
+  static SphericalStyle::LoopOptions MakeLoopOptions(const vtkSphericalStyleFilter* self);
   static SphericalStyle::StyleOptions MakeOptions(vtkSphericalStyleFilter* self,
     const vtkSurfaceMesh& surface, const Inputs& inputs, const std::vector<char>& region);
+  static SphericalStyle::NonlinearOptions MakeNonlinearOptions(vtkSphericalStyleFilter* self,
+    const vtkSurfaceMesh& surface, const Inputs& inputs, const std::vector<char>& region);
+  /// Runs the feature on what there is to solve. @param Q  the moved points
+  SphericalStyle::StyleReport Solve(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
+    const Inputs& inputs, const std::vector<char>& region, const SphericalStyle::Callback& callback,
+    Points& Q);
   static void Warn(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
     const SphericalStyle::StyleReport& report);
+  void WarnOfNonlinear(
+    vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const;
   static void SetFacts(vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report);
   void AttachArrays(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
     const Eigen::VectorXd& regionWeights, vtkPolyData* input, vtkPolyData* output) const;
@@ -240,6 +270,17 @@ void vtkSphericalStyleFilter::Internals::CheckProperties(const vtkSphericalStyle
     self->Tolerance);
 }
 
+SphericalStyle::LoopOptions vtkSphericalStyleFilter::Internals::MakeLoopOptions(
+  const vtkSphericalStyleFilter* self)
+{
+  SphericalStyle::LoopOptions loop;
+  loop.stopRule = static_cast<SphericalStyle::StopRule>(self->StopRule);
+  loop.tolerance = self->Tolerance;
+  loop.maximumNumberOfIterations = self->MaximumNumberOfIterations;
+  loop.acceleration = self->Acceleration;
+  return loop;
+}
+
 SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
   vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, const Inputs& inputs,
   const std::vector<char>& region)
@@ -257,17 +298,10 @@ SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
   o.edgeWeighting = static_cast<SphericalStyle::EdgeWeighting>(self->EdgeWeighting);
   o.anchor = static_cast<SphericalStyle::Anchor>(self->Anchor);
   o.initialGuess = static_cast<SphericalStyle::InitialGuess>(self->InitialGuess);
-  o.loop.stopRule = static_cast<SphericalStyle::StopRule>(self->StopRule);
-  o.loop.tolerance = self->Tolerance;
-  o.loop.maximumNumberOfIterations = self->MaximumNumberOfIterations;
-  o.loop.acceleration = self->Acceleration;
+  o.loop = MakeLoopOptions(self);
   o.threads = ThreadsToUse(self->NumberOfThreads);
 
-  const auto gather = [&](int index)
-  {
-    return vtkSurfaceMeshConversion::GatherPointArray(
-      self->GetInputArrayInformation(index), inputs.Model, surface, ArrayRules[index]);
-  };
+  const auto gather = [&](int index) { return Gather(self, index, surface, inputs.Model); };
   o.roundnessFactors = gather(ROUNDNESS_FACTOR).col(0);
   o.normalBlends = gather(NORMAL_BLEND).col(0);
   o.targets = gather(TARGET_DIRECTIONS);
@@ -275,11 +309,7 @@ SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
     o.normalBlend > 0.0 || (o.normalBlends.size() > 0 && o.normalBlends.maxCoeff() > 0.0);
   if (useNormals && o.targets.rows() == 0)
   {
-    o.normals = gather(NORMALS);
-    for (Eigen::Index i = 0; i < o.normals.rows(); ++i)
-    {
-      o.normals.row(i) = o.normals.row(i).stableNormalized();
-    }
+    o.normals = GatherNormals(self, surface, inputs.Model);
   }
   const CenterIds ids =
     FindCenterIds(self->GetInputArrayInformation(CENTER_ID), surface, inputs.Model);
@@ -300,6 +330,53 @@ SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
   o.sphereOfFreePoints =
     self->SphereOf == REGION && o.fixedPositions.rows() < surface.Mesh.P.rows();
   return self->ReproduceThesis ? ThesisOptions(o) : o;
+}
+
+SphericalStyle::NonlinearOptions vtkSphericalStyleFilter::Internals::MakeNonlinearOptions(
+  vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, const Inputs& inputs,
+  const std::vector<char>& region)
+{
+  using namespace SphericalStyle;
+  if (!region.empty() || inputs.Centers ||
+    !FindCenterIds(self->GetInputArrayInformation(CENTER_ID), surface, inputs.Model).Values.empty())
+  {
+    throw std::invalid_argument(
+      "Feature Nonlinear takes neither a region nor several centers: take Linear, or remove "
+      "selection, region mask, centers and center ids");
+  }
+  NonlinearOptions o;
+  o.lambda = self->Roundness;
+  o.centerMode = static_cast<SphericalStyle::CenterMode>(self->CenterMode);
+  o.center = Eigen::Vector3d(self->Center);
+  o.centerConstraint = static_cast<SphericalStyle::CenterConstraint>(self->CenterConstraint);
+  o.loop = MakeLoopOptions(self);
+  o.threads = ThreadsToUse(self->NumberOfThreads);
+  o.roundnessFactors = Gather(self, ROUNDNESS_FACTOR, surface, inputs.Model).col(0);
+  o.normals = GatherNormals(self, surface, inputs.Model);
+  return self->ReproduceThesis ? ThesisOptions(o) : o;
+}
+
+SphericalStyle::StyleReport vtkSphericalStyleFilter::Internals::Solve(vtkSphericalStyleFilter* self,
+  const vtkSurfaceMesh& surface, const Inputs& inputs, const std::vector<char>& region,
+  const SphericalStyle::Callback& callback, Points& Q)
+{
+  // Options are made, and arrays checked, even if there is nothing to solve.
+  const auto run = [&](auto& solver, const auto& options)
+  {
+    SphericalStyle::StyleReport report;
+    if (surface.Mesh.F.rows() > 0)
+    {
+      self->SetProgressText("Rounding");
+      self->UpdateProgress(0.1);
+      solver.SetMesh(surface.Mesh);
+      report = solver.Solve(options, callback);
+      Q = solver.GetPositions();
+    }
+    return report;
+  };
+  return self->Feature == NONLINEAR
+    ? run(this->Nonlinear, MakeNonlinearOptions(self, surface, inputs, region))
+    : run(this->Solver, MakeOptions(self, surface, inputs, region));
 }
 
 void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
@@ -337,6 +414,26 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
   }
 }
 
+void vtkSphericalStyleFilter::Internals::WarnOfNonlinear(
+  vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const
+{
+  const SphericalStyle::Rises rises = SphericalStyle::CountRises(report.loop);
+  if (rises.globalSteps + rises.localSteps > 0)
+  {
+    vtkWarningWithObjectMacro(self, << "the energy rose in " << rises.globalSteps << " global and "
+                                    << rises.localSteps << " local steps and in "
+                                    << rises.iterations << " of " << report.loop.iterations
+                                    << " iterations: CenterConstraint AsWritten does not minimise "
+                                       "it; Corrected does");
+  }
+  if (!report.loop.history.empty() && report.loop.history.front().energy.spherical > 0.0 &&
+    this->Nonlinear.GetScales().cwiseAbs().maxCoeff() == 0.0)
+  {
+    vtkWarningWithObjectMacro(self, << "no normal points away from the centre: nothing is pulled. "
+                                       "Turn the faces round (vtkPolyDataNormals)");
+  }
+}
+
 void vtkSphericalStyleFilter::Internals::SetFacts(
   vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report)
 {
@@ -355,7 +452,8 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
   using vtkSurfaceMeshConversion::AddPointArray;
   const int type = output->GetPoints()->GetDataType();
   const bool solved = surface.Mesh.F.rows() > 0;
-  if (self->GenerateTargetDirection)
+  const bool linear = self->Feature == LINEAR;
+  if (self->GenerateTargetDirection && linear)
   {
     AddPointArray(output, surface, "TargetDirection", type,
       solved ? this->Solver.GetDirections() : Points(0, 3));
@@ -371,14 +469,23 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
   if (self->GenerateCellEnergy)
   {
     AddPointArray(output, surface, "CellEnergy", VTK_DOUBLE,
-      solved ? this->Solver.GetCellEnergies() : Eigen::VectorXd());
+      !solved    ? Eigen::VectorXd()
+        : linear ? this->Solver.GetCellEnergies()
+                 : this->Nonlinear.GetCellEnergies());
+  }
+  if (self->GenerateAuxiliaryScale && !linear)
+  {
+    AddPointArray(output, surface, "AuxiliaryScale", VTK_DOUBLE,
+      solved ? this->Nonlinear.GetScales() : Eigen::VectorXd());
   }
   if (self->GenerateRotation)
   {
+    const SphericalStyle::Matrices& R =
+      linear ? this->Solver.GetRotations() : this->Nonlinear.GetRotations();
     vtkSurfaceMeshConversion::Rows rows(surface.Mesh.P.rows(), 9);
     for (Eigen::Index i = 0; i < rows.rows(); ++i)
     {
-      rows.row(i) = this->Solver.GetRotations()[i].transpose().reshaped().transpose();
+      rows.row(i) = R[i].transpose().reshaped().transpose();
     }
     AddPointArray(output, surface, "Rotation", type, rows);
   }
@@ -467,26 +574,20 @@ int vtkSphericalStyleFilter::RequestData(
     surface = vtkSurfaceMeshConversion::FromPolyData(input, this->WeldCoincidentPoints);
     const std::vector<char> region = vtkSurfaceRegion::Marks(
       this->GetInputArrayInformation(REGION_MASK), inputs.Selection, input, surface);
-    const SphericalStyle::StyleOptions options =
-      Internals::MakeOptions(this, surface, inputs, region);
-    if (surface.Mesh.F.rows() > 0)
-    {
-      this->SetProgressText("Rounding");
-      this->UpdateProgress(0.1);
-      this->Internal->Solver.SetMesh(surface.Mesh);
-      report = this->Internal->Solver.Solve(options,
-        [this](int iteration, double)
-        {
-          this->UpdateProgress(1.0 - 0.8 / (1.0 + 0.1 * iteration));
-          return !Aborted(this);
-        });
-      Q = this->Internal->Solver.GetPositions();
-      if (!region.empty())
+    report = this->Internal->Solve(
+      this, surface, inputs, region,
+      [this](int iteration, double)
       {
-        const Points& P = surface.Mesh.P;
-        regionWeights = vtkSurfaceRegion::Weights(P, region, this->BorderWidth, options.threads);
-        Q = P + regionWeights.asDiagonal() * (Q - P);
-      }
+        this->UpdateProgress(1.0 - 0.8 / (1.0 + 0.1 * iteration));
+        return !Aborted(this);
+      },
+      Q);
+    if (Q.rows() > 0 && !region.empty())
+    {
+      const Points& P = surface.Mesh.P;
+      regionWeights = vtkSurfaceRegion::Weights(
+        P, region, this->BorderWidth, ThreadsToUse(this->NumberOfThreads));
+      Q = P + regionWeights.asDiagonal() * (Q - P);
     }
   }
   catch (const std::exception& error)
@@ -501,6 +602,10 @@ int vtkSphericalStyleFilter::RequestData(
   this->Internal->AttachArrays(this, surface, regionWeights, input, output);
   FillHistory(history, report);
   Internals::Warn(this, surface, report);
+  if (this->Feature == NONLINEAR && Q.rows() > 0)
+  {
+    this->Internal->WarnOfNonlinear(this, report);
+  }
   Internals::SetFacts(this, report);
   return 1;
 }
@@ -509,6 +614,8 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Roundness: " << this->Roundness << "\n";
+  os << indent << "Feature: " << this->Feature << "\n";
+  os << indent << "CenterConstraint: " << this->CenterConstraint << "\n";
   os << indent << "NormalBlend: " << this->NormalBlend << "\n";
   os << indent << "CenterMode: " << this->CenterMode << "\n";
   os << indent << "Center: " << Triple(this->Center) << "\n";
@@ -536,6 +643,7 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateNormals: " << OnOff(this->GenerateNormals) << "\n";
   os << indent << "GenerateCellEnergy: " << OnOff(this->GenerateCellEnergy) << "\n";
   os << indent << "GenerateRotation: " << OnOff(this->GenerateRotation) << "\n";
+  os << indent << "GenerateAuxiliaryScale: " << OnOff(this->GenerateAuxiliaryScale) << "\n";
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
   os << indent << "Converged: " << OnOff(this->Converged) << "\n";
   os << indent << "FinalEnergy: " << this->FinalEnergy << "\n";

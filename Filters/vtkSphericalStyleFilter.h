@@ -36,7 +36,9 @@
  *  - Displacement (3): output minus input point, model length;
  *  - Normals: recomputed if the input had point normals or GenerateNormals is on;
  *  - RegionWeight (1): with a region, 0 outside, 1 inside, between them along the border;
- *  - CellEnergy (1), Rotation (9, row by row): on demand.
+ *  - CellEnergy (1), Rotation (9, row by row): on demand;
+ *  - AuxiliaryScale (1): s, 1 / length, on demand with Feature Nonlinear, which has no
+ *    TargetDirection.
  *
  * Output port 1: vtkTable, one row for the start and one per iteration: Iteration, Total, Rigid,
  * Spherical (energies, length^2), LocalChange, GlobalChange, Residual (Eq. 3.46), Gap (estimated,
@@ -54,16 +56,26 @@
  * several centers k the target of an edge is sum_k omega_k(uv) r_k (t^k_u - t^k_v), omega_k(uv) the
  * mean of the shares at its ends, so that nothing jumps between them.
  *
+ * Feature Nonlinear minimises the energy of chapter 3 instead, for study [nonlinear]:
+ *
+ *     E = sum over points i of [ sum over neighbours j of w_ij |e'_ij - R_i e_ij|^2
+ *         + Roundness r^2 sum over j = i and neighbours of |R_i n_j - s_j (p'_j - O)|^2 ]
+ *
+ * Roundness, CenterMode, Center, StopRule, Tolerance, MaximumNumberOfIterations, Acceleration and
+ * arrays 0 and 1 apply to it, and what concerns input and output; the other properties and arrays
+ * do not. A region or several centers are an error with it.
+ *
  * Source: Research of Spherical Style Deformation on Single Component Models (doctoral thesis),
- * chapter 4, Eq. 4.6 - 4.38 and 3.46 - 3.48; half-edge weights after Chao, Pinkall, Sanan,
- * Schroeder, A simple geometric model for elastic deformations, ACM TOG 29(4), 2010,
- * doi:10.1145/1778765.1778775. The bracketed labels are those of
- * Filters/Documentation/SphericalStyle.md.
+ * chapter 4, Eq. 4.6 - 4.38 and 3.46 - 3.48, and chapter 3, Eq. 3.1 - 3.42; half-edge weights after
+ * Chao, Pinkall, Sanan, Schroeder, A simple geometric model for elastic deformations, ACM TOG
+ * 29(4), 2010, doi:10.1145/1778765.1778775. The bracketed labels are those of
+ * Filters/Documentation/SphericalStyle.md and NonlinearFeature.md.
  *
  * Cost: one sparse factorisation (about n log n in practice), then per iteration one 3 x 3 rotation
  * per point and one triangular solve. The factorisation is kept between executions: changing
  * Center, NormalBlend, Radius or arrays 0, 2, 3 does not factor again; changing Roundness
- * refactors numerically with uniform weights and not at all with cotangent ones.
+ * refactors numerically with uniform weights and not at all with cotangent ones. Feature Nonlinear
+ * factors numerically in every iteration.
  *
  * @warning Large Roundness without DetailSize scales details down with everything else: at 5 a face
  * is gone. Parts that share no edge each keep their centroid. With NormalBlend > 0 the surface may
@@ -88,6 +100,16 @@ public:
   vtkTypeMacro(vtkSphericalStyleFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum Features
+  {
+    LINEAR = 0,
+    NONLINEAR = 1
+  };
+  enum CenterConstraints
+  {
+    CORRECTED = 0,
+    AS_WRITTEN = 1
+  };
   enum CenterModes
   {
     POINT_MEAN = 0,
@@ -155,6 +177,31 @@ public:
    */
   vtkSetMacro(Roundness, double);
   vtkGetMacro(Roundness, double);
+  ///@}
+
+  ///@{
+  /**
+   * The energy: Linear (default; thesis chapter 4) or Nonlinear (chapter 3, the attempt before it,
+   * for study: normals of the turned cells are to point away from the centre, at any radius).
+   */
+  vtkSetClampMacro(Feature, int, LINEAR, NONLINEAR);
+  vtkGetMacro(Feature, int);
+  void SetFeatureToLinear() { this->SetFeature(LINEAR); }
+  void SetFeatureToNonlinear() { this->SetFeature(NONLINEAR); }
+  ///@}
+
+  ///@{
+  /**
+   * Feature Nonlinear: Corrected (default; every step lowers the energy) or AsWritten (Eq. 3.12 and
+   * 3.26 - 3.42 to the letter, with CenterMode PointMean, no acceleration and the rule of Thesis in
+   * place of Converged). As written the energy can rise, which is the failure that the thesis
+   * reports; a warning counts the steps. At most 50000 points, and 1000000 points times neighbours
+   * of the last point: more is an error.
+   */
+  vtkSetClampMacro(CenterConstraint, int, CORRECTED, AS_WRITTEN);
+  vtkGetMacro(CenterConstraint, int);
+  void SetCenterConstraintToCorrected() { this->SetCenterConstraint(CORRECTED); }
+  void SetCenterConstraintToAsWritten() { this->SetCenterConstraint(AS_WRITTEN); }
   ///@}
 
   ///@{
@@ -363,7 +410,8 @@ public:
   ///@{
   /**
    * Run the method of the thesis to the letter. On overrides FullEdge, Uniform, Thesis stop, Rest,
-   * LastPoint, no acceleration, PointMean and DetailSize 0. Default off.
+   * LastPoint, no acceleration, PointMean and DetailSize 0; with Feature Nonlinear AsWritten,
+   * Thesis stop, no acceleration and PointMean. Default off.
    */
   vtkSetMacro(ReproduceThesis, bool);
   vtkGetMacro(ReproduceThesis, bool);
@@ -391,7 +439,8 @@ public:
   ///@{
   /**
    * Switches of the output arrays. TargetDirection and Displacement are on, the others off by
-   * default. GenerateNormals adds normals where the input had none.
+   * default. GenerateNormals adds normals where the input had none. TargetDirection needs Feature
+   * Linear, AuxiliaryScale Nonlinear.
    */
   vtkSetMacro(GenerateTargetDirection, bool);
   vtkGetMacro(GenerateTargetDirection, bool);
@@ -408,13 +457,16 @@ public:
   vtkSetMacro(GenerateRotation, bool);
   vtkGetMacro(GenerateRotation, bool);
   vtkBooleanMacro(GenerateRotation, bool);
+  vtkSetMacro(GenerateAuxiliaryScale, bool);
+  vtkGetMacro(GenerateAuxiliaryScale, bool);
+  vtkBooleanMacro(GenerateAuxiliaryScale, bool);
   ///@}
 
   ///@{
   /**
    * Facts of the last execution: iterations done, whether the stop rule was met, the energy
    * (length^2), the centre and radius that were used (model coordinates and length; of the lowest
-   * id with several).
+   * id with several; with Feature Nonlinear the radius r is the unit of length in the energy).
    */
   vtkGetMacro(NumberOfIterations, int);
   vtkGetMacro(Converged, bool);
@@ -436,6 +488,8 @@ private:
   void operator=(const vtkSphericalStyleFilter&) = delete;
 
   double Roundness = 0.5;
+  int Feature = LINEAR;
+  int CenterConstraint = CORRECTED;
   double NormalBlend = 0.0;
   int CenterMode = POINT_MEAN;
   double Center[3] = { 0.0, 0.0, 0.0 };
@@ -463,6 +517,7 @@ private:
   bool GenerateNormals = false;
   bool GenerateCellEnergy = false;
   bool GenerateRotation = false;
+  bool GenerateAuxiliaryScale = false;
 
   int NumberOfIterations = 0;
   bool Converged = false;

@@ -377,6 +377,7 @@ void NonlinearFeature::State::BuildEnergy(const NonlinearOptions& options, Style
   const Frame sphereFrame = { unit.center.transpose(), unit.radius };
   this->SolveFrame = { frame.origin + frame.scale * sphereFrame.origin, frame.scale * unit.radius };
   report.sphere = { this->SolveFrame.origin.transpose(), this->SolveFrame.scale };
+  report.spheres = { report.sphere };
   VectorXd lambda = VectorXd::Constant(this->P.rows(), options.lambda);
   if (options.roundnessFactors.size() > 0)
   {

@@ -732,6 +732,8 @@ void Properties(Checker& check)
   check.About("properties");
   using FilterType = vtkSphericalStyleFilter;
   RoundTrip(Roundness, 0.5, 3.0);
+  RoundTrip(Feature, 0, 1);
+  RoundTrip(CenterConstraint, 0, 1);
   RoundTrip(NormalBlend, 0.0, 0.25);
   RoundTrip(CenterMode, 0, 2);
   RoundTrip(RadiusMode, 0, 2);
@@ -758,6 +760,7 @@ void Properties(Checker& check)
   OnOff(GenerateNormals, false);
   OnOff(GenerateCellEnergy, false);
   OnOff(GenerateRotation, false);
+  OnOff(GenerateAuxiliaryScale, false);
 
   Clamped(NormalBlend, -0.5, 0.0);
   Clamped(NormalBlend, 1.5, 1.0);
