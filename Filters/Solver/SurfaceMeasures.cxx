@@ -79,6 +79,16 @@ Eigen::Vector3d AreaCentroid(const Points& P, const Triangles& F)
   return (P.transpose() * area) / area.sum();
 }
 
+Points TriangleNormals(const Points& P, const Triangles& F)
+{
+  Points normals(F.rows(), 3);
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    normals.row(f) = AreaVector(P, F, f).stableNormalized().transpose();
+  }
+  return normals;
+}
+
 Points PointNormals(const Points& P, const Triangles& F)
 {
   Points normals = Points::Zero(P.rows(), 3);

@@ -18,6 +18,8 @@ Eigen::VectorXd PointAreas(const Points& P, const Triangles& F);
 double EnclosedVolume(const Points& P, const Triangles& F);
 /// Mean of the triangles' centroids, weighted by their areas.
 Eigen::Vector3d AreaCentroid(const Points& P, const Triangles& F);
+/// m x 3 unit normals of the triangles; 0 where there is no area.
+Points TriangleNormals(const Points& P, const Triangles& F);
 /// n x 3 unit normals, triangle normals weighted by the angle at the point (Thuermer, Wuethrich,
 /// Computing vertex normals from polygonal facets, 1998); 0 where they cancel.
 Points PointNormals(const Points& P, const Triangles& F);
