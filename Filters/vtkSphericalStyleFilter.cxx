@@ -426,11 +426,11 @@ void vtkSphericalStyleFilter::Internals::WarnOfNonlinear(
                                     << " iterations: CenterConstraint AsWritten does not minimise "
                                        "it; Corrected does");
   }
-  if (!report.loop.history.empty() && report.loop.history.front().energy.spherical > 0.0 &&
-    this->Nonlinear.GetScales().cwiseAbs().maxCoeff() == 0.0)
+  if (this->Nonlinear.HasInwardNormals())
   {
-    vtkWarningWithObjectMacro(self, << "no normal points away from the centre: nothing is pulled. "
-                                       "Turn the faces round (vtkPolyDataNormals)");
+    vtkWarningWithObjectMacro(
+      self, << "the normals point toward the centre: Feature Nonlinear turns "
+               "the surface over. Reverse its faces (vtkReverseSense)");
   }
 }
 

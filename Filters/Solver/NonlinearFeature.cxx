@@ -225,6 +225,7 @@ public:
   // Result of the last solve.
   Frame SolveFrame; // around o
   NonlinearEnergy Energy;
+  bool InwardNormals = false;
   Points Q; // in the frame
   Points Positions;
   Matrices R;
@@ -383,9 +384,12 @@ void NonlinearFeature::State::BuildEnergy(const NonlinearOptions& options, Style
   {
     lambda = options.lambda * options.roundnessFactors;
   }
-  this->Energy = NonlinearEnergy(this->Rings, sphereFrame.Into(this->P),
-    options.normals.rows() > 0 ? options.normals : PointNormals(this->P, F), std::move(lambda),
-    options.threads);
+  const Points normals = options.normals.rows() > 0 ? options.normals : PointNormals(this->P, F);
+  this->Energy = NonlinearEnergy(
+    this->Rings, sphereFrame.Into(this->P), normals, std::move(lambda), options.threads);
+  const Points& P = this->Energy.GetRestPoints();
+  const VectorXd s = this->Energy.ReciprocalDistances(P);
+  this->InwardNormals = P.cwiseProduct(normals).rowwise().sum().dot(s) < 0.0;
   report.seconds.weights = watch.Seconds();
 }
 
@@ -467,6 +471,11 @@ VectorXd NonlinearFeature::GetCellEnergies() const
   const State& s = *this->S;
   const double unit = s.SolveFrame.scale;
   return unit * unit * s.Energy.CellEnergies(s.Q, s.R, s.Scales);
+}
+
+bool NonlinearFeature::HasInwardNormals() const
+{
+  return this->S->InwardNormals;
 }
 
 int NonlinearFeature::GetNumberOfAnalyses() const

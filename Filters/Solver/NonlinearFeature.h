@@ -81,6 +81,9 @@ public:
   const Matrices& GetRotations() const;    ///< R, n, rest to deformed
   Eigen::VectorXd GetScales() const;       ///< s, n, 1 / length
   Eigen::VectorXd GetCellEnergies() const; ///< n, length^2
+  /// Whether the rest normals point toward o on the mean: faces turned inward, whose cells have to
+  /// turn over.
+  bool HasInwardNormals() const;
   /// Symbolic and numeric factorisations since the triangles were set.
   int GetNumberOfAnalyses() const;
   int GetNumberOfFactorizations() const;

@@ -773,6 +773,10 @@ void Properties(Checker& check)
   Clamped(CenterMode, 3, 2);
   Clamped(NumberOfThreads, -1, 0);
 
+  Mode(Feature, Linear, LINEAR, 0);
+  Mode(Feature, Nonlinear, NONLINEAR, 1);
+  Mode(CenterConstraint, Corrected, CORRECTED, 0);
+  Mode(CenterConstraint, AsWritten, AS_WRITTEN, 1);
   Mode(CenterMode, PointMean, POINT_MEAN, 0);
   Mode(CenterMode, AreaCentroid, AREA_CENTROID, 1);
   Mode(CenterMode, Custom, CUSTOM_CENTER, 2);

@@ -543,6 +543,8 @@ void TestNoPull()
       what << ": finite, and s not negative");
     const Rises rises = CountRises(report.loop);
     CHECK(rises.iterations + rises.globalSteps + rises.localSteps == 0, what << ": E rises");
+    CHECK(feature.HasInwardNormals() == (std::string(what) == "normals inward"),
+      what << ": which way the normals point");
     return feature.GetScales();
   };
   NonlinearOptions options = Fixed(1.0, 20, CenterConstraint::Corrected);
