@@ -252,9 +252,9 @@ def lines_of(lines):
     return actor
 
 
-def picture(path, size, panels, up, view, points):
+def picture(path, size, panels, up, view, points, make_actor=actor_of):
     """Write a PNG of rows of (surface, label[, lines[, view]]), all in the same scale, from the same
-    side unless a panel has a view of its own."""
+    side unless a panel has a view of its own. make_actor(surface): other than in clay."""
     surfaces = [panel[0] for row in panels for panel in row]
     seen = 0.9 * max(half_size(surface) for surface in surfaces)
     window = vtkRenderWindow()
@@ -268,7 +268,7 @@ def picture(path, size, panels, up, view, points):
             renderer.SetViewport(c / len(row), top - 1.0 / len(panels), (c + 1) / len(row), top)
             renderer.SetBackground(1.0, 1.0, 1.0)
             renderer.AutomaticLightCreationOff()
-            renderer.AddActor(actor_of(surface))
+            renderer.AddActor(make_actor(surface))
             if more and more[0]:
                 renderer.AddActor(lines_of(more[0]))
             soft_light(renderer)

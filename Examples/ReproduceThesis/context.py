@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What experiments work with: models and filters."""
+import functools
+import pathlib
+
+import demo
+import models
+import sphericalstyle
+from surfaces import columns
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+class Context:
+    """size: "small" or "full"; models_folder: of real models, or None."""
+
+    def __init__(self, size="full", models_folder=None):
+        self.size = size
+        self.models_folder = models_folder
+        self.model = functools.lru_cache(maxsize=None)(self._model)
+
+    @property
+    def small(self):
+        return self.size == "small"
+
+    def choose(self, small, full):
+        """One of two values by the size of the run."""
+        return small if self.small else full
+
+    def _model(self, name, **parameters):
+        """A shape of models.py, or else a file of Data/ by its stem. Never change it: it is shared."""
+        if name in models.SHAPES:
+            return models.SHAPES[name](**parameters)
+        return demo.read(ROOT / "Data" / f"{name}.vtp")
+
+    def real(self, name):
+        """A model of the folder --models as NAME.ply (or .obj, .stl, .vtp), or None."""
+        if self.models_folder is None:
+            return None
+        for ending in demo.READERS:
+            file = self.models_folder / f"{name}{ending}"
+            if file.is_file():
+                return demo.read(file)
+        return None
+
+    @staticmethod
+    def has(name):
+        """Whether the package has this class."""
+        return hasattr(sphericalstyle, name)
+
+    @staticmethod
+    def run(name, surface, others=None, arrays=None, **properties):
+        """The executed filter of this class.
+
+        others: {port: data}; arrays: {index: (association, name)}, 0 for points and 1 for cells;
+        properties by their VTK names. Raises demo.DemoError with the filter's own words.
+        """
+        algorithm = getattr(sphericalstyle, name)()
+        messages = demo.Messages(algorithm)
+        algorithm.SetInputData(0, surface)
+        for port, data in (others or {}).items():
+            algorithm.SetInputData(port, data)
+        for index, (association, array) in (arrays or {}).items():
+            algorithm.SetInputArrayToProcess(index, 0, 0, association, array)
+        for key, value in properties.items():
+            getattr(algorithm, f"Set{key}")(value)
+        algorithm.Update()
+        messages.raise_errors(f"{name} failed:")
+        return algorithm
+
+    def style(self, surface, **properties):
+        """The executed vtkSphericalStyleFilter, points in double precision."""
+        return self.run("vtkSphericalStyleFilter", surface, OutputPointsPrecision=1, **properties)
+
+    def thesis(self, surface, **properties):
+        """The same to the letter of the thesis."""
+        return self.style(surface, ReproduceThesis=True, **properties)
+
+    def metrics(self, surface, reference=None, **properties):
+        """The row of vtkSurfaceMetrics as {name: number}."""
+        others = {} if reference is None else {1: reference}
+        table = self.run("vtkSurfaceMetrics", surface, others, **properties).GetOutputDataObject(1)
+        return {name: values[0] for name, values in columns(table).items()}
+
+
+def history(style):
+    """The energy table of an executed filter: {column: numbers, one per iteration}."""
+    return columns(style.GetOutputDataObject(1))
