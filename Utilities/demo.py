@@ -226,8 +226,8 @@ def soft_light(renderer):
     kit.AddLightsToRenderer(renderer)
 
 
-def add_text(renderer, text, x, y, points):
-    """Centred at the fraction (x, y) of the renderer's part of the window."""
+def add_text(renderer, text, x, y, points, font=None):
+    """Centred at the fraction (x, y) of the renderer's part of the window. font: a TrueType file."""
     actor = vtkTextActor()
     actor.SetInput(text)
     actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
@@ -237,6 +237,9 @@ def add_text(renderer, text, x, y, points):
     style.SetColor(INK)
     style.SetJustificationToCentered()
     style.SetVerticalJustificationToCentered()
+    if font:
+        style.SetFontFamilyAsString("File")
+        style.SetFontFile(font)
     renderer.AddActor2D(actor)
 
 
@@ -252,9 +255,10 @@ def lines_of(lines):
     return actor
 
 
-def picture(path, size, panels, up, view, points, make_actor=actor_of):
+def picture(path, size, panels, up, view, points, make_actor=actor_of, font=None):
     """Write a PNG of rows of (surface, label[, lines[, view]]), all in the same scale, from the same
-    side unless a panel has a view of its own. make_actor(surface): other than in clay."""
+    side unless a panel has a view of its own. make_actor(surface): other than in clay. font: a
+    TrueType file for labels that VTK's own fonts have no letters for."""
     surfaces = [panel[0] for row in panels for panel in row]
     seen = 0.9 * max(half_size(surface) for surface in surfaces)
     window = vtkRenderWindow()
@@ -274,7 +278,7 @@ def picture(path, size, panels, up, view, points, make_actor=actor_of):
             soft_light(renderer)
             window.AddRenderer(renderer)
             place_camera(renderer, surface, seen, up, more[1] if len(more) > 1 else view)
-            add_text(renderer, label, 0.5, 0.045, points)
+            add_text(renderer, label, 0.5, 0.045, points, font)
     window.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(window)

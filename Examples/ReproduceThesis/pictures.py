@@ -3,6 +3,7 @@
 """Pictures of the report. They look like the demo's, whose camera, light and clay they take."""
 import html
 
+import matplotlib.font_manager
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, makes rendering work
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -14,7 +15,8 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkP
 
 import demo
 
-PANEL = (300, 300)  # pixels
+PANEL = (300, 280)  # pixels
+FONT = matplotlib.font_manager.findfont("DejaVu Sans")  # has λ, which VTK's own have not
 SEQUENTIAL = [(0.96, 0.94, 0.90), (0.96, 0.75, 0.42), (0.85, 0.37, 0.20), (0.42, 0.10, 0.16)]
 DIVERGING = [(0.15, 0.30, 0.58), (0.60, 0.72, 0.85), (0.95, 0.94, 0.92), (0.93, 0.66, 0.50),
              (0.66, 0.14, 0.13)]
@@ -40,7 +42,7 @@ def write(path, rows, array, limits, view, up, wires):
         return actor
 
     size = (PANEL[0] * max(len(row) for row in rows), PANEL[1] * len(rows))
-    demo.picture(path, size, rows, up, view, 12, actor_of)
+    demo.picture(path, size, rows, up, view, 12, actor_of, FONT)
     return _bar(array, limits) if limits else ""
 
 
@@ -128,11 +130,15 @@ def _plain_actor(mapper):
 
 
 def _bar(array, limits):
-    stops = ", ".join("rgb({:.0f} {:.0f} {:.0f})".format(*(255.0 * c for c in color))
-                      for color in _stops(limits))
+    """As SVG: browsers leave CSS backgrounds out of prints."""
+    stops = _stops(limits)
+    marks = "".join('<stop offset="{:.0%}" stop-color="rgb({:.0f}, {:.0f}, {:.0f})"/>'.format(
+        i / (len(stops) - 1), *(255.0 * c for c in color)) for i, color in enumerate(stops))
+    name = "diverging" if stops is DIVERGING else "sequential"
     low, high = (f"{value:.3g}" for value in limits)
-    return (f'<span class="bar">{html.escape(array)}: {low} '
-            f'<i style="background: linear-gradient(to right, {stops})"></i> {high}</span>')
+    return (f'<span class="bar">{html.escape(array)}: {low} <svg width="180" height="12"><defs>'
+            f'<linearGradient id="{name}">{marks}</linearGradient></defs>'
+            f'<rect width="180" height="12" fill="url(#{name})"/></svg> {high}</span>')
 
 
 def write_image(path, data, width=900):

@@ -5,6 +5,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot  # noqa: E402, after the choice of its back end
+import matplotlib.ticker as ticker  # noqa: E402
 import numpy as np  # noqa: E402
 
 matplotlib.rcParams.update({
@@ -33,6 +34,8 @@ def write(path, series, x, y, logx, logy):
             axes.plot(xs, ys, marker=marker, markersize=3.0, linewidth=1.3, label=label)
             name = f"{title}: {label}" if title else label
             rows += [(xv, name, yv) for xv, yv in zip(xs.tolist(), ys.tolist())]
+        if x == "Iteration":
+            axes.xaxis.set_major_locator(ticker.MaxNLocator(integer=True))
         axes.set_title(title, fontsize=9.5)
         axes.set_xlabel(x)
         axes.set_ylabel(y)

@@ -304,13 +304,13 @@ th, td { border-bottom: 1px solid #ddd; padding: .22rem .7rem .22rem 0; text-ali
 thead th { border-bottom: 2px solid #888; }
 td.number { font-variant-numeric: tabular-nums; text-align: right; }
 .claims, .checks, .overview { width: 100%; }
-.claims td:last-child, .overview td:last-child { white-space: nowrap; text-align: right;
+.claims th:first-child { width: 4rem; }
+.claims th:last-child, .overview th:last-child, .claims td:last-child, .overview td:last-child { white-space: nowrap; text-align: right;
   padding-right: 0; }
 figure { margin: 1.2rem 0; break-inside: avoid; }
 img { max-width: 100%; height: auto; }
 figcaption { font-size: .85rem; color: #444; }
-.bar { display: flex; gap: .5em; align-items: center; margin-top: .2rem; }
-.bar i { display: inline-block; width: 12em; height: .8em; border: 1px solid #888; }
+.bar { display: block; margin-top: .2rem; }
 .badge { font-size: .78rem; padding: .08em .55em; border-radius: .8em; white-space: nowrap;
   border: 1px solid currentColor; }
 .holds, .yes { color: #1a6b2d; } .holds-in-part { color: #8a5a00; } .does-not-hold, .no,
