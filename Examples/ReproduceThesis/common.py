@@ -46,8 +46,9 @@ MEASURED = {  # column of our tables: column of vtkSurfaceMetrics
     "asphericity": "FittedSphereError",
     "area spread": "AreaRatioSpread",
     "intersecting": "SelfIntersectingTriangles",
-    "turned over": "TurnedOverTriangles",
+    "turned over": "TurnedOver",
 }
+COUNTS = ("intersecting", "turned over")
 EXPLAINED = ("Sphericity is 1 for a ball; asphericity is the rms distance to the fitted sphere over "
              "its radius; area spread is the standard deviation of the logarithm of the triangles' "
              "area ratios; intersecting and turned over are counts of triangles.")
@@ -61,7 +62,7 @@ def result_table(section, context, name, surface, runs, caption=""):
              int(before["SelfIntersectingTriangles"]), None, None]]
     for label, m in results.items():
         rows.append([label] + [
-            int(m[column]) if column.endswith("Triangles") else m[column]
-            for column in MEASURED.values()] + [runs[label].GetNumberOfIterations()])
+            int(m[column]) if name in COUNTS else m[column]
+            for name, column in MEASURED.items()] + [runs[label].GetNumberOfIterations()])
     section.table(name, ["", *MEASURED, "iterations"], rows, caption or f"{name}. {EXPLAINED}")
     return results

@@ -1,0 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Chapter 4: the linear spherical feature, by sections."""
+import chapter4_method  # noqa: F401, importing registers the experiments
+import chapter4_normals  # noqa: F401
