@@ -6,9 +6,10 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource
 
 import models
 from context import history
-from measures import (angles, areas, diagonal, dihedral_angles, dihedral_change, edge_weights,
-                      inner_edges, laplacian, normals_of, obtuse, open_edges, places, spread,
-                      turned_over, volume, welded)
+from measures import areas, dot, length
+from mesh_measures import (angles, diagonal, dihedral_angles, dihedral_change, edge_weights,
+                           inner_edges, laplacian, normals_of, obtuse, open_edges, places, spread,
+                           turned_over, volume, welded)
 from report import NOT_REPRODUCED, experiment
 from sphericalstyle import vtkConvexProxyDeformFilter as Proxy
 from sphericalstyle import vtkSphericalStyleFilter as Style
