@@ -7,7 +7,7 @@ import numpy as np
 
 from common import METRICS, RISE, check_descent, check_monotone, energy_plot, largest_rise
 from context import history
-from geometry import dot, edges, fit_sphere, length, style_energy
+from measures import dot, edges, fit_sphere, length, style_energy
 from report import experiment
 from surfaces import array, points, triangles, with_array
 

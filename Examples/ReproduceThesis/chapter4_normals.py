@@ -6,7 +6,7 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkCurvatures
 
 from common import METRICS, check_descent, check_monotone, energy_plot, result_table
-from geometry import areas, dot, edge_curvatures, edges, length, spearman
+from measures import areas, dot, edge_curvatures, edges, length, spearman
 from report import NOT_REPRODUCED, experiment
 from surfaces import array, points, triangles, with_array
 

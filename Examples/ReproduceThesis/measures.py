@@ -155,8 +155,8 @@ def ray_crossings(surface, origin, directions):
         crossings = []
         for i in range(cells.GetNumberOfIds()):
             a, b, c = P[F[cells.GetId(i)]]
-            weights = np.linalg.lstsq(np.column_stack([a, b, c]), np.array(hits.GetPoint(i)),
-                                      rcond=None)[0]
+            system = np.vstack([np.column_stack([a, b, c]), np.ones(3)])
+            weights = np.linalg.lstsq(system, np.append(hits.GetPoint(i), 1.0), rcond=None)[0]
             crossings.append((cells.GetId(i), weights))
         if crossings:
             found.append(crossings)
