@@ -5,19 +5,20 @@ import numpy as np
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 
 import models
+import sphericalstyle
 from context import history
 from measures import areas, dot, length
 from mesh_measures import (angles, diagonal, dihedral_angles, dihedral_change, edge_weights,
                            inner_edges, laplacian, normals_of, obtuse, open_edges, places, spread,
                            turned_over, volume, welded)
 from report import NOT_REPRODUCED, experiment
-from sphericalstyle import vtkConvexProxyDeformFilter as Proxy
 from sphericalstyle import vtkSphericalStyleFilter as Style
 from surfaces import array, moved, points, triangles, with_array
 
 PROXY = ("vtkConvexProxyDeformFilter",)
-MESHERS = {"IsotropicRemeshing": Proxy.ISOTROPIC_REMESHING, "BallPivoting": Proxy.BALL_PIVOTING,
-           "AdvancingFront": Proxy.ADVANCING_FRONT, "SubdividedHull": Proxy.SUBDIVIDED_HULL}
+Proxy = getattr(sphericalstyle, PROXY[0], None)  # builds without CGAL have none
+MESHERS = {name: number for number, name in enumerate((  # as in ProxyMeshers
+    "IsotropicRemeshing", "BallPivoting", "AdvancingFront", "SubdividedHull"))}
 
 
 def proxied(context, model, **properties):

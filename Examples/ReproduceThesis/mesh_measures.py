@@ -142,12 +142,26 @@ def aligned(a, b, scale=False):
     """b moved, turned and, if asked, scaled onto a (Kabsch, Umeyama); and the factor."""
     ca, cb = a.mean(axis=0), b.mean(axis=0)
     U, S, Vt = np.linalg.svd((b - cb).T @ (a - ca))
-    S[2] *= np.sign(np.linalg.det(U @ Vt))
-    U[:, 2] *= np.sign(np.linalg.det(U @ Vt))
-    factor = S.sum() / ((b - cb) ** 2).sum() if scale else 1.0
+    handed = np.sign(np.linalg.det(U @ Vt))
+    S[2] *= handed
+    U[:, 2] *= handed
+    factor = S.sum() / dot(b - cb, b - cb).sum() if scale else 1.0
     return ca + factor * (b - cb) @ U @ Vt, factor
 
 
-def distance(a, b, scale=False):
-    """Rms distance of corresponding points after alignment, over the diagonal of a."""
-    return np.sqrt(((a - aligned(a, b, scale)[0]) ** 2).sum(axis=1).mean()) / diagonal(a)
+def distance(a, b):
+    """Rms distance of corresponding points after the best move and turn, over the diagonal of a."""
+    off = a - aligned(a, b)[0]
+    return np.sqrt(dot(off, off).mean()) / diagonal(a)
+
+
+def similar(a, b):
+    """The same after the best scale, too, and that factor."""
+    near, factor = aligned(a, b, scale=True)
+    return np.sqrt(dot(a - near, a - near).mean()) / diagonal(a), factor
+
+
+# --------------------------------------------------------------------------------------- energies
+def rises(changes, scale):
+    """How many changes of an energy are above 0, beyond rounding."""
+    return int((changes > 1e-10 * abs(scale)).sum())
