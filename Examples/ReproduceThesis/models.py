@@ -13,7 +13,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 
-from surfaces import points, surface, triangles, with_array
+from surfaces import points, surface, triangles
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Data"))
 import generate_models as data  # noqa: E402
@@ -248,24 +248,6 @@ def compound(cells=40):
         return _union(f, _capsule(p, (0.45, 0.0, 0.0), (0.45, 0.75, 0.0), 0.2), 0.08)
 
     return _contoured(field, (-1.0, -0.9, -0.8), (1.0, 1.2, 0.8), cells)
-
-
-SNOWMAN = np.array([(0.0, -0.75, 0.0), (0.0, 0.25, 0.0), (0.0, 0.95, 0.0)])  # centers, feet to head
-
-
-@shape("snowman")
-def snowman(cells=40):
-    """Three dented balls, one on the other; the point array Region says which, 0 at the foot."""
-
-    def field(p):
-        f = _ball(p, SNOWMAN[0], (0.80, 0.62, 0.70))
-        f = _union(f, _ball(p, SNOWMAN[1], (0.55, 0.50, 0.48)), 0.12)
-        f = _union(f, _ball(p, SNOWMAN[2], (0.34, 0.38, 0.34)), 0.08)
-        return _union(f, _capsule(p, (0, 0.95, 0.3), (0, 0.92, 0.45), 0.11), 0.06)  # nose
-
-    result = _contoured(field, (-1.0, -1.5, -0.9), (1.0, 1.5, 0.9), cells)
-    height = points(result)[:, 1]
-    return with_array(result, "Region", np.searchsorted([-0.2, 0.66], height))
 
 
 @shape("mask")
