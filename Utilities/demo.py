@@ -193,7 +193,9 @@ def axes_of(up):
 
 
 def half_size(surface):
-    return 0.5 * surface.GetLength()
+    """Half of what has to be seen of it: long models need more than the diagonal tells."""
+    x0, x1, y0, y1, z0, z1 = surface.GetBounds()
+    return max(0.45 * surface.GetLength(), 0.57 * max(x1 - x0, y1 - y0, z1 - z0))
 
 
 def place_camera(renderer, surface, size, up, view):
@@ -260,7 +262,7 @@ def picture(path, size, panels, up, view, points, make_actor=actor_of, font=None
     side unless a panel has a view of its own. make_actor(surface): other than in clay. font: a
     TrueType file for labels that VTK's own fonts have no letters for."""
     surfaces = [panel[0] for row in panels for panel in row]
-    seen = 0.9 * max(half_size(surface) for surface in surfaces)
+    seen = max(half_size(surface) for surface in surfaces)
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetSize(size)
