@@ -26,14 +26,15 @@ def as_written(context, model, iterations=30, **properties):
     return nonlinear(context, model, iterations, CenterConstraint=Style.AS_WRITTEN, **properties)
 
 
-def energy_plots(section, name, runs):
-    """Figures 3.3 and 3.5: the energy per iteration, and its change by the global step."""
-    totals = {label: history(run)["Total"] / history(run)["Total"][0] for label, run in runs.items()}
-    changes = {}
+def energy_plots(section, name, runs, first=1):
+    """Figures 3.3 and 3.5: energy per iteration, and its change by the global step, from iteration
+    first on: what comes before is so much larger that it hides the rest."""
+    totals, changes = {}, {}
     for label, run in runs.items():
         table = history(run)
-        steps = np.arange(1, len(table["Total"]))
-        changes[label] = (steps, table["GlobalChange"][1:] / table["Total"][0])
+        steps = np.arange(first, len(table["Total"]))
+        totals[label] = (steps, table["Total"][first:] / table["Total"][0])
+        changes[label] = (steps, table["GlobalChange"][first:] / table["Total"][0])
     section.plot(name, {"energy": totals, "change by the global step": changes}, x="Iteration",
                  y="over the energy at the start")
 
@@ -258,7 +259,8 @@ def stone_house(section, context):
     section.picture("Stone house", [(house, "model"), *((run.GetOutput(), label)
                                                         for label, run in shown.items())],
                     caption="30 iterations")
-    energy_plots(section, "Energy", {label: run for label, run in shown.items() if label.endswith("0.05")})
+    energy_plots(section, "Energy at λ = 0.05", {label: run for label, run in shown.items()
+                                                 if label.endswith("0.05")}, first=3)
     section.table("As written and corrected", ["form", "λ", "global steps of 30 that raise E", "iterations that do",
                                                "least E / at the start", "E at last / at the start"], rows)
     first = shown["as written, λ = 0.05"]

@@ -47,14 +47,15 @@ class Reference:
     def __init__(self, x, F, tau, local, whole=None, literal_border=False):
         corners, self.owner = corner_table(F)
         self.u, self.v = corners[:, 0], corners[:, 1]
-        self.F, self.x, self.tau = F, x, tau
+        self.F, self.x = F, x
+        self.tau = tau  # may be changed between steps
         self.c, self.l = local
         self.e = x[self.u] - x[self.v]
         c, l = whole or local
         ends = np.sort(corners[:, :2], axis=1)
         _, edge, count = np.unique(ends, axis=0, return_inverse=True, return_counts=True)
         self.border = (count[edge] == 1) & literal_border
-        self.g = c[:, None] * self.e + l[:, None] * tau
+        self.step = c, l
         A = laplacian(len(x), np.stack([self.u, self.v], axis=1),
                       np.where(self.border, 6.0, 3.0) * (c + l))
         self.inverse = np.linalg.inv(A[:-1, :-1])  # the last point stays
@@ -86,7 +87,8 @@ class Reference:
         turn = R[self.F[self.owner]].sum(axis=1)
         turn[self.border] += R[self.u[self.border]] + R[self.v[self.border]]
         b = np.zeros_like(self.x)
-        right = np.einsum("hij,hj->hi", turn, self.g)
+        c, l = self.step
+        right = np.einsum("hij,hj->hi", turn, c[:, None] * self.e + l[:, None] * self.tau)
         np.add.at(b, self.u, right)
         np.subtract.at(b, self.v, right)
         p = np.zeros_like(self.x)
@@ -144,7 +146,8 @@ def energy(section, context):
                  " λ/2 |r R_y Δt - e'|², c_h half the cotangent opposite h in f itself. λ means the same"
                  " as in the thesis; open, obtuse and non-manifold meshes need no exceptions.")
     rows = []
-    for name in ("cube", "stone-house", "tangram-prism", "open-ellipsoid"):
+    for name in context.choose(("tangram-prism", "open-ellipsoid"),
+                               ("cube", "stone-house", "tangram-prism", "open-ellipsoid")):
         model = context.model(name)
         x, F = points(model), triangles(model)
         c, _ = weights(x, F)
@@ -222,7 +225,7 @@ def center_constraint(section, context):
             style = fixed(context, context.model(name), 30, Feature=Style.NONLINEAR, Roundness=0.05,
                           CenterConstraint=constraint)
             table = history(style)
-            curves[name][label] = table["Total"] / table["Total"][0]
+            curves[name][label] = (np.arange(3, 31), table["Total"][3:] / table["Total"][0])
             rows.append((name, label, rises(table["GlobalChange"][1:], table["Total"][0]),
                          rises(np.diff(table["Total"]), table["Total"][0]),
                          table["Total"][-1] / table["Total"][0]))
@@ -423,13 +426,14 @@ def flip(section, context):
     c, _ = weights(x, F)
     tau = targets(x, F, point_normals(x, F))
     corners, _ = corner_table(F)
+    step = Reference(x, F, tau, (c, np.full(len(c), 0.05)))
     rows, curves = [], {}
     for label in ("rest shape", "current shape"):
         p, E = x, []
-        for _ in range(context.choose(25, 80)):
-            d = (x if label == "rest shape" else p)[corners[:, 0]] - (x if label == "rest shape" else p)[corners[:, 1]]
-            sign = np.where((tau * d).sum(axis=1) < 0.0, -1.0, 1.0)
-            step = Reference(x, F, sign[:, None] * tau, (c, np.full(len(c), 0.05)))
+        for _ in range(context.choose(30, 80)):
+            shape = x if label == "rest shape" else p
+            against = dot(tau, shape[corners[:, 0]] - shape[corners[:, 1]]) < 0.0
+            step.tau = np.where(against[:, None], -tau, tau)
             R = step.rotations(p)
             p = step.solve(R)
             E.append(step.energy(p, R))
