@@ -449,22 +449,28 @@ def several_centers(section, context):
                 OutputPointsPrecision=1).GetOutput(),
             "one part after the other": part_by_part(context, surface)}
     section.picture("Results", [(surface, "model")] + [(s, label) for label, s in runs.items()])
-    rows = [[label] + [fit_sphere(points(s)[part == k])[2] for k in np.unique(part)]
+    rows = [[label] + [radius_spread(points(s)[part == k]) for k in np.unique(part)]
             for label, s in ([("model", surface)] + list(runs.items()))]
     section.table("Parts", ["", *(f"part {k}" for k in np.unique(part))], rows,
-                  "Asphericity of every part, λ = 5: rms distance of its points from the sphere "
-                  "fitted to them, over its radius")
+                  "Radius spread of every part, λ = 5: standard deviation over mean of the distances "
+                  "of its points from their mean, which is the center of its sphere")
     E = edges(triangles(surface))
     joint = E[part[E[:, 0]] != part[E[:, 1]]]
     for row in rows[2:]:
-        section.check(all(after < 0.5 * before for after, before in zip(row[1:], rows[0][1:])),
-                      f"{row[0]}: the asphericity of every part falls to less than half",
-                      ", ".join(f"{before:.3f} to {after:.3f}"
-                                for after, before in zip(row[1:], rows[0][1:])))
+        for name, other in (("in the model", rows[0]), ("with one center", rows[1])):
+            section.check(all(after < before for after, before in zip(row[1:], other[1:])),
+                          f"{row[0]}: every part is rounder (radius spread) than {name}",
+                          ", ".join(f"{before:.3f} to {after:.3f}"
+                                    for after, before in zip(row[1:], other[1:])))
         P, Q = points(surface), points(runs[row[0]])
         ratio = (length(Q[joint[:, 0]] - Q[joint[:, 1]]) / length(P[joint[:, 0]] - P[joint[:, 1]])).max()
         section.check(ratio < 3.0, f"{row[0]}: no edge between two parts is stretched threefold, the "
                       "parts stay joined", f"largest ratio {ratio:.2f}")
+
+
+def radius_spread(P):
+    distance = length(P - P.mean(axis=0))
+    return distance.std() / distance.mean()
 
 
 def part_by_part(context, surface):

@@ -5,8 +5,9 @@
     pvpython reproduce_thesis.py [--output DIR] [--models DIR] [--only LIST] [--size small|full]
 
 DIR/index.html is the report (default: thesis-report/), beside it a page per chapter, pictures/,
-plots/ and numbers/ (CSV). The exit code is 1 if an experiment failed to run, which the report then
-shows; a claim that does not hold is a finding and no failure.
+plots/ and numbers/ (CSV). Files of the same names in DIR are replaced, others stay. The exit code
+is 1 if an experiment failed to run, which the report then shows; a claim that does not hold is a
+finding and no failure.
 
 The package sphericalstyle is taken from PYTHONPATH, or else from build/ of the project. Without a
 screen the command starts itself again under xvfb-run.
@@ -62,6 +63,9 @@ def need_package():
         except ImportError as error:
             sys.exit(f"The package sphericalstyle is not found ({error}): build the project"
                      " (Utilities/demo.sh does) or set PYTHONPATH.")
+    if not hasattr(sys.modules["sphericalstyle"], "vtkConvexProxyDeformFilter"):
+        sys.exit("This build has no CGAL (SPHERICALSTYLE_WITH_CGAL), which the report needs for chapter 5"
+                 " and to find self-intersections.")
     try:
         importlib.import_module("matplotlib")
     except ImportError:
