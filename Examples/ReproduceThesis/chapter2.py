@@ -156,7 +156,7 @@ def toy(section, context):
     before = context.metrics(surface)
     found = {label: context.metrics(run.GetOutput(), surface) for label, run in runs.items()}
     section.picture("Results", [(surface, "model")] + [
-        (run.GetOutput(), label) for label, run in runs.items()], columns=5)
+        (run.GetOutput(), label) for label, run in runs.items()])
     section.table("Measures", ["", "sphericity", "radius spread", "detail error"], [
         ["model", before["Sphericity"], before["RadiusSpread"], None]] + [
         [label, m["Sphericity"], m["RadiusSpread"], m["DetailError"]] for label, m in found.items()])

@@ -110,7 +110,7 @@ def cuboid(section, context):
 
 
 @experiment("A4.31", title="A compound model", where="4.6.2, Fig. 4.21", needs=METRICS,
-            claim="The larger λ, the rounder the surface.")
+            claim="The larger λ, the rounder the surface, without growing and self-intersections.")
 def compound(section, context):
     _, found = show_series(section, context, context.model("compound"), (0.1, 0.5, 1.0, 5.0))
     no_folds(section, found)
@@ -198,8 +198,7 @@ def gauss(section, context):
         for k, style in enumerate(STYLES) if style != "Dodecahedron"}
     results = {"input": surface,
                "ours, λ = 0.5": context.thesis(surface, Roundness=0.5).GetOutput(), **styles}
-    section.picture("Results", [(result, label, None, -20.0) for label, result in results.items()],
-                    columns=3)
+    section.picture("Results", [(result, label, None, -20.0) for label, result in results.items()])
     rows, clusters = [], []
     for label, result in results.items():
         run = context.run("vtkGaussMapFilter", result, OftenThreshold=5.0)
@@ -213,7 +212,7 @@ def gauss(section, context):
             section.check(abs(total - table["Normals"]) < 1e-6 * total,
                           "Counts of the units sum to the number of normals",
                           f"{total:.0f} and {table['Normals']:.0f}", "A4.34")
-    section.picture("Gauss images", clusters, array="Density", range=(0.0, 8.0), columns=3,
+    section.picture("Gauss images", clusters, array="Density", range=(0.0, 8.0),
                     caption="Density of the normals on 1,000 units of equal area; 1 is even.")
     section.table("Table 4.1", ["", "units hit", "units hit often", "relative entropy",
                                 "distance to uniform"], rows,
@@ -301,8 +300,7 @@ def house(section, context):
         m = context.metrics(result, surface)
         rows.append([label, m["FittedSphereError"], m["DetailError"], m["DihedralChange"],
                      m["AreaRatioSpread"], int(m["SelfIntersectingTriangles"])])
-    section.picture("Results", [(surface, "model")] + [(s, label) for label, s in runs.items()],
-                    columns=5)
+    section.picture("Results", [(surface, "model")] + [(s, label) for label, s in runs.items()])
     section.table("Measures", ["", "asphericity", "detail error", "dihedral change, degrees",
                                "area spread", "intersecting"], rows,
                   f"Asphericity of the model: {before['FittedSphereError']:.3f}. Detail error: rms "
@@ -331,7 +329,7 @@ def centers(section, context):
         Q, r = points(run.GetOutput()), run.GetEffectiveRadius()
         rows.append([height, (Q[pole, 1].mean() - Q[rim, 1].mean()) / r, P[pole, 1].mean() - height])
         panels.append((run.GetOutput(), f"O at y = {height:g}"))
-    section.picture("Centers", panels, columns=3)
+    section.picture("Centers", panels)
     section.table("Bulge of the flat top", ["height of O", "bulge / r", "distance from O"], rows,
                   "Height of the middle of the top over its rim, λ = 1; flat in the model")
     check_monotone(section, [row[1] for row in rows], "The top bulges the more the nearer O comes",
@@ -407,7 +405,7 @@ def one_center(section, context):
     errors = [context.metrics(s, FindSelfIntersections=False)["FittedSphereError"]
               for s in [surface] + [run.GetOutput() for run in runs.values()]]
     section.picture("Results", [(surface, "model", None, 60.0)] + [
-        (run.GetOutput(), f"λ = {v:g}", None, 60.0) for v, run in runs.items()], columns=5)
+        (run.GetOutput(), f"λ = {v:g}", None, 60.0) for v, run in runs.items()])
     check_monotone(section, errors, "The larger λ, the smaller the asphericity", row="A4.41")
     section.check(errors[3] < 0.25 * errors[0], "At λ = 5 less than a quarter of the asphericity is left",
                   f"{errors[0]:.3f} to {errors[3]:.3f}", "A4.41")

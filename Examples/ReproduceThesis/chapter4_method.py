@@ -140,7 +140,7 @@ def center(section, context):
         panels.append((run.GetOutput(), f"O at {height:g}"))
     section.table("Bulge of the top", ["height of O / half edge", "bulge / r"], rows,
                   "Height of the middle of the cube's top over its corners, λ = 2; the top is at 1")
-    section.picture("Center moved up", panels, columns=4)
+    section.picture("Center moved up", panels)
     inside = [bulge for height, bulge in rows if height < 1.0]
     outside = [bulge for height, bulge in rows if height > 1.0]
     check_monotone(section, inside, "The top bulges more the nearer O comes from inside",

@@ -51,7 +51,7 @@ MEASURED = {  # column of our tables: column of vtkSurfaceMetrics
 COUNTS = ("intersecting", "turned over")
 EXPLAINED = ("Sphericity is 1 for a ball; asphericity is the rms distance to the fitted sphere over "
              "its radius; area spread is the standard deviation of the logarithm of the triangles' "
-             "area ratios; intersecting and turned over are counts of triangles.")
+             "area ratios; intersecting and turned over are counts of triangles")
 
 
 def result_table(section, context, name, surface, runs, caption=""):
@@ -64,5 +64,5 @@ def result_table(section, context, name, surface, runs, caption=""):
         rows.append([label] + [
             int(m[column]) if name in COUNTS else m[column]
             for name, column in MEASURED.items()] + [runs[label].GetNumberOfIterations()])
-    section.table(name, ["", *MEASURED, "iterations"], rows, caption or f"{name}. {EXPLAINED}")
+    section.table(name, ["", *MEASURED, "iterations"], rows, caption or EXPLAINED)
     return results

@@ -82,11 +82,11 @@ def bipyramid(level=4):
 # ----------------------------------------------------------------------------------- smooth and boxes
 @shape("perturbed-icosphere")
 def perturbed_icosphere(level=3):
-    """Like a ball, with soft bumps: model1."""
+    """Like a ball, uneven but convex: model1."""
     directions, faces = data.SubdivideLinear(*ICOSAHEDRON, level)
     d = _unit(directions)
-    radius = 1.0 + 0.16 * np.sin(3.0 * d[:, 0] + 1.0) * np.cos(2.5 * d[:, 1]) + 0.10 * np.sin(
-        4.0 * d[:, 2] + 0.5)
+    radius = 1.0 + 0.10 * np.sin(2.0 * d[:, 0] + 1.0) * np.cos(1.8 * d[:, 1]) + 0.05 * np.sin(
+        2.5 * d[:, 2] + 0.5)
     return surface(radius[:, None] * d, faces)
 
 

@@ -112,14 +112,15 @@ class Section:
         """Surfaces side by side, all in one scale.
 
         panels: [(surface, label)] or rows of such lists; a panel may go on (surface, label, lines)
-        and (surface, label, lines, view) as in Utilities/demo.py. columns breaks one long row.
+        and (surface, label, lines, view) as in Utilities/demo.py. columns: where to break one long row.
         array: name of a point or cell array of one component to color by; "TCoords" for a checker
         by the texture coordinates. Panels without it stay in clay. range: (low, high), default the
         array's; diverging colors if it is symmetric about zero. wires: draw the edges too.
         """
         rows = panels if isinstance(panels[0], list) else [panels]
-        if columns and len(rows) == 1:
-            rows = [rows[0][i:i + columns] for i in _steps(len(rows[0]), columns)]
+        if len(rows) == 1:
+            step = columns or (3 if len(panels) in (5, 6) else 4)
+            rows = [rows[0][i:i + step] for i in _steps(len(rows[0]), step)]
         file = self._file("pictures", name, ".png")
         bar = pictures.write(self.folder / file, rows, array, range, view, up, wires)
         self._figure(file, name, caption, bar)
@@ -147,8 +148,9 @@ class Section:
         data = self._csv(name, columns, rows)
         head = "".join(f"<th>{html.escape(str(column))}</th>" for column in columns)
         body = "".join("<tr>" + "".join(_cell(cell) for cell in row) + "</tr>" for row in rows)
-        title = f'{html.escape(caption or name)} <a class="data" href="{data}">CSV</a>'
-        self.parts.append(f'<div class="wide"><table><caption>{title}</caption>'
+        text = f"{html.escape(caption)}. " if caption else ""
+        self.parts.append(f'<p class="caption"><b>{html.escape(name)}.</b> {text}'
+                          f'<a class="data" href="{data}">CSV</a></p><div class="wide"><table>'
                           f"<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>")
 
     def check(self, holds, statement, found="", row=None):
@@ -289,7 +291,7 @@ STYLE = """
 :root { color-scheme: light; }
 body { font: 16px/1.5 Georgia, 'DejaVu Serif', serif; color: #222; max-width: 62rem; margin: 0 auto;
   padding: 1rem 1.5rem 4rem; }
-h1, h2, th, nav, .badge, .data, .time, figcaption, caption { font-family: Helvetica, Arial,
+h1, h2, th, nav, .badge, .data, .time, figcaption, .caption { font-family: Helvetica, Arial,
   'DejaVu Sans', sans-serif; }
 h1 { font-size: 1.7rem; } h2 { font-size: 1.2rem; margin: 0 0 .3rem; }
 section { border-top: 1px solid #ccc; padding-top: 1.2rem; margin-top: 2.2rem; }
@@ -298,7 +300,7 @@ a { color: #1b5a93; }
 .where, .time { color: #666; font-size: .9rem; margin: .2rem 0 .6rem; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; margin: .8rem 0; font-size: .88rem; }
-caption { text-align: left; font-weight: bold; padding-bottom: .2rem; }
+.caption { margin: 1rem 0 -.5rem; break-after: avoid; }
 th, td { border-bottom: 1px solid #ddd; padding: .22rem .7rem .22rem 0; text-align: left;
   vertical-align: top; }
 thead th { border-bottom: 2px solid #888; }
@@ -309,7 +311,7 @@ td.number { font-variant-numeric: tabular-nums; text-align: right; }
   padding-right: 0; }
 figure { margin: 1.2rem 0; break-inside: avoid; }
 img { max-width: 100%; height: auto; }
-figcaption { font-size: .85rem; color: #444; }
+figcaption, .caption { font-size: .85rem; color: #444; }
 .bar { display: block; margin-top: .2rem; }
 .badge { font-size: .78rem; padding: .08em .55em; border-radius: .8em; white-space: nowrap;
   border: 1px solid currentColor; }
