@@ -5,7 +5,7 @@
 usage: TestSphericalStyleFilterModels.py [--models DIR] [section ...]
 
 DIR (or $SPHERICALSTYLE_MODELS) holds spot.ply, bunny.ply and so on; without it the script leaves
-with 77, which ctest takes for "skipped". Sections: energy thesis converged sphere blend detail time;
+with 77, which ctest takes for "skipped". Sections: energy nonlinear nonlinear-time thesis converged sphere blend detail time;
 all of them when none is named. Every figure is printed, every claim is checked.
 """
 import argparse
@@ -93,6 +93,56 @@ def energy():
         print(f"  {name:18s} largest relative rise of any step {here:9.2e}")
         worst = max(worst, here)
     check(worst < 1e-12, "energy rises in no step (1e-12 of itself)")
+
+
+# -- chapter 3 ------------------------------------------------------------------------------------
+def fixed(surface, iterations=30, **properties):
+    return style(surface, StopRule=2, Acceleration=0, MaximumNumberOfIterations=iterations, **properties)
+
+
+def rises(f, name):
+    """In how many iterations a column of changes is above rounding."""
+    return int((column(f, name)[1:] > 1e-12 * rest_energy(f)).sum())
+
+
+def nonlinear():
+    for name in ("go-stone", "stone-house", "spot", "bunny"):
+        surface = read(name)
+        for l in (0.1, 1.0, 5.0):
+            f = fixed(surface, Feature=1, Roundness=l)
+            total = column(f, "Total")
+            count = [rises(f, c) for c in ("LocalChange", "GlobalChange")] + [
+                int((np.diff(total) > 1e-12 * rest_energy(f)).sum())]
+            print(f"  {name:12s} lambda {l:<4g} corrected: E {rest_energy(f) / total[-1]:8.1f} times smaller after 30 "
+                  f"iterations; local, global steps and totals that rise: {count}")
+            check(sum(count) == 0, f"{name}, lambda {l}: the energy falls in each of 30 iterations")
+    for name in ("go-stone", "stone-house"):
+        f = fixed(read(name), Feature=1, Roundness=0.1, CenterConstraint=1)
+        steps = rises(f, "GlobalChange")
+        totals = int((np.diff(column(f, "Total")) > 1e-12 * rest_energy(f)).sum())
+        print(f"  {name:12s} lambda 0.1  as written: {steps} global steps and {totals} totals of 30 rise")
+        check((steps > 0) == (totals > 0) == (name == "stone-house"), f"{name}: as written")
+
+
+def seconds_per_iteration(surface, **properties):
+    """The linear feature factors once, before the iterations; the nonlinear one in each of them."""
+    f = fixed(surface, 5, **properties)
+    stages = f.GetOutputDataObject(1).GetFieldData().GetAbstractArray("StageSeconds")
+    factor = stages.GetComponent(0, 3) if f.GetFeature() == 1 else 0.0
+    return (factor + stages.GetComponent(0, 4)) / 5
+
+
+def nonlinear_time():
+    for name in ("spot", "bunny"):
+        surface = read(name)
+        linear, corrected, written = (
+            np.median([seconds_per_iteration(surface, **properties) for _ in range(3)])
+            for properties in ({}, {"Feature": 1}, {"Feature": 1, "CenterConstraint": 1}))
+        print(f"  {name:12s} {surface.GetNumberOfPoints()} points, ms per iteration: linear {1e3 * linear:.1f}, corrected "
+              f"{1e3 * corrected:.1f} ({corrected / linear:.1f} times), as written {1e3 * written:.1f} "
+              f"({written / linear:.1f} times)")
+        check(linear < corrected < written, "each form costs more than the one before")
+        check(written > 10 * linear, "the linear feature is 10 times faster than LU in every iteration")
 
 
 # -- the thesis' own rule -------------------------------------------------------------------------
@@ -244,7 +294,7 @@ def timing():
     check(np.median(first) < 1.5 and np.median(moved) < 0.5, "first result below 1.5 s, moved centre below .5 s")
 
 
-SECTIONS = {"energy": energy, "thesis": thesis, "converged": converged, "sphere": sphere,
+SECTIONS = {"energy": energy, "nonlinear": nonlinear, "nonlinear-time": nonlinear_time, "thesis": thesis, "converged": converged, "sphere": sphere,
             "blend": blend, "detail": detail, "time": timing}
 parser = argparse.ArgumentParser()
 parser.add_argument("--models", default=os.environ.get("SPHERICALSTYLE_MODELS", ""))

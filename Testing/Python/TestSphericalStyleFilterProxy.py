@@ -72,6 +72,19 @@ fixed = SphericalStyle(Input=weighted, RoundnessFactorArray=["POINTS", "still"])
 UpdatePipeline(proxy=fixed)
 assert all(abs(a - b) < 1e-6 for a, b in zip(bounds(fixed), bounds(long_sphere))), bounds(fixed)
 
+# ------------------------------------------------------------------------------- nonlinear feature
+nonlinear = SphericalStyle(Input=long_sphere)
+assert nonlinear.Feature == "Linear" and nonlinear.CenterConstraint == "Corrected"
+nonlinear.Feature = "Nonlinear"
+nonlinear.GenerateAuxiliaryScale = 1
+UpdatePipeline(proxy=nonlinear)
+assert nonlinear.PointData.GetArray("AuxiliaryScale").GetRange()[0] > 0.0
+assert nonlinear.PointData.GetArray("TargetDirection") is None
+nonlinear.CenterConstraint = "As Written"
+UpdatePipeline(proxy=nonlinear)
+assert servermanager.Fetch(nonlinear, idx=1).GetFieldData().GetAbstractArray(
+    "LinearSolver").GetValue(0) == "Eigen SparseLU"
+
 # -------------------------------------------------------------- what Apply would open for the table
 controller = vtkSMParaViewPipelineControllerWithRendering()
 assert controller.ShowInPreferredView(rounded.SMProxy, 1, None) is None
