@@ -40,9 +40,6 @@ namespace
 {
 using SphericalStyle::Points;
 
-// A triangle whose double area is below this times its longest edge squared has no usable angles.
-constexpr double SmallestAngle = 1e-10;
-
 [[noreturn]] void Refuse(const std::ostringstream& message)
 {
   throw std::invalid_argument(message.str());
@@ -214,18 +211,6 @@ std::vector<vtkIdType> Representatives(Points& x, bool weld)
   return representative;
 }
 
-bool IsDegenerate(const Points& x, const std::array<vtkIdType, 3>& t)
-{
-  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
-  {
-    return true;
-  }
-  const Eigen::Vector3d a = x.row(t[1]) - x.row(t[0]);
-  const Eigen::Vector3d b = x.row(t[2]) - x.row(t[0]);
-  const double longest = std::max({ a.stableNorm(), b.stableNorm(), (b - a).stableNorm() });
-  return !(longest > 0.0) || !((a / longest).cross(b / longest).norm() > SmallestAngle);
-}
-
 /// Puts input points into groups that share one normal: those at one mesh point whose normals were
 /// equal (or all of them, without `before`), so that seams stay smooth and creases stay sharp.
 /// @param place  mesh point of each group @return group of each input point, -1 where nothing moves
@@ -384,6 +369,10 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
   std::vector<Corners> triangles; // by input points
   triangles.reserve(input->GetNumberOfPolys());
   FaceTriangles faces(input);
+  const auto isDegenerate = [&](vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    return a == b || b == c || c == a || SphericalStyle::IsDegenerate(x.row(a), x.row(b), x.row(c));
+  };
   faces.Visit(
     [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
     {
@@ -391,9 +380,10 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
       {
         CheckPointId(cell, i, x.rows());
       }
-      if (!IsDegenerate(x, { first[a], first[b], first[c] }))
+      if (!isDegenerate(first[a], first[b], first[c]))
       {
         triangles.push_back({ a, b, c });
+        surface.Cells.push_back(cell);
       }
       else if (surface.DegenerateTriangles++ == 0)
       {

@@ -21,6 +21,8 @@ struct vtkSurfaceMesh
   SphericalStyle::TriangleMesh Mesh;
   /// The same triangles by input points, m x 3.
   Eigen::Matrix<vtkIdType, Eigen::Dynamic, 3, Eigen::RowMajor> Corners;
+  /// Input cell of each triangle, ascending.
+  std::vector<vtkIdType> Cells;
   /// Mesh point of each input point; NotMoved for points that are not taken.
   std::vector<int> MeshPoint;
   static constexpr int NotMoved = -1;

@@ -3,6 +3,7 @@
 #include "ProxyDeformation.h"
 
 #include "ConvexHull.h"
+#include "DeformationMeasures.h"
 #include "Stopwatch.h"
 #include "SurfaceMeasures.h"
 

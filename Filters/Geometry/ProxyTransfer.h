@@ -23,12 +23,6 @@ struct DeformedProxy
   Matrices rotations; ///< one per point: SurfaceRotations
 };
 
-/// Rotation of the surface at each point: the one closest to the change of the edges of the
-/// triangles at it, each by half its cotangents as in [local] but with no sphere. The solver's own
-/// rotations are not that: they turn edges and targets together, and stay near the identity
-/// [blend].
-Matrices SurfaceRotations(const TriangleMesh& rest, const Points& rounded, int threads);
-
 /// R of every foot: the closest rotation of the mean of those at the corners, by b.
 Matrices RotationsAtFeet(const DeformedProxy& proxy, const Feet& feet, int threads);
 
@@ -46,12 +40,6 @@ struct TransferOptions
 /// @param rotations  of the feet (RotationsAtFeet); for Offset only @return n x 3
 Points TransferFromProxy(const Points& P, const DeformedProxy& proxy, const Feet& feet,
   const Matrices& rotations, const Points& t, const TransferOptions& options);
-
-/// Triangles whose normal after the deformation points against the normal before, turned with the
-/// proxy: there the projection lines cross. Triangles that lost their area are not counted.
-/// @param rotations  of the feet of the points (RotationsAtFeet)
-int CountTurnedOver(
-  const Points& P, const Points& Q, const Triangles& F, const Matrices& rotations);
 } // namespace SphericalStyle
 
 #endif

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EdgeWeights.h"
 
+#include "MeshEdges.h"
+
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <utility>
 
 namespace SphericalStyle
 {
@@ -28,35 +27,20 @@ HalfEdgeScalars HalfEdgeCotangents(const Points& P, const Triangles& F)
 
 HalfEdgeScalars EdgeSums(const HalfEdgeScalars& x, const Triangles& F)
 {
-  struct Entry
-  {
-    std::int64_t edge;
-    int halfEdge;
-  };
-  std::vector<Entry> entries(F.size());
-  for (Eigen::Index f = 0; f < F.rows(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto ends = std::minmax(F(f, HalfEdgeStart(k)), F(f, HalfEdgeEnd(k)));
-      const int h = static_cast<int>(3 * f) + k;
-      entries[h] = { (static_cast<std::int64_t>(ends.first) << 32) | ends.second, h };
-    }
-  }
-  std::sort(entries.begin(), entries.end(),
-    [](const Entry& a, const Entry& b)
-    { return std::make_pair(a.edge, a.halfEdge) < std::make_pair(b.edge, b.halfEdge); });
+  const MeshEdges edges(F);
+  const std::vector<int>& offset = edges.GetOffset();
+  const std::vector<int>& halfEdges = edges.GetHalfEdges();
   HalfEdgeScalars sums(x.rows(), 3);
-  for (std::size_t first = 0, last = 0; first < entries.size(); first = last)
+  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
   {
     double sum = 0.0;
-    for (last = first; last < entries.size() && entries[last].edge == entries[first].edge; ++last)
+    for (int i = offset[e]; i < offset[e + 1]; ++i)
     {
-      sum += x.data()[entries[last].halfEdge];
+      sum += x.data()[halfEdges[i]];
     }
-    for (std::size_t i = first; i < last; ++i)
+    for (int i = offset[e]; i < offset[e + 1]; ++i)
     {
-      sums.data()[entries[i].halfEdge] = sum;
+      sums.data()[halfEdges[i]] = sum;
     }
   }
   return sums;

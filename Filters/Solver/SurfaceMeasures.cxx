@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceMeasures.h"
 
-#include "EdgeWeights.h"
-
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace SphericalStyle
 {
@@ -19,23 +20,15 @@ Eigen::Vector3d AreaVector(const Points& P, const Triangles& F, Eigen::Index f)
   const Eigen::Vector3d c = P.row(F(f, 2));
   return 0.5 * (b - a).cross(c - a);
 }
-
-Points CotangentLaplacianVectors(const Points& P, const Triangles& F, const HalfEdgeScalars& c)
-{
-  Points result = Points::Zero(P.rows(), 3);
-  for (Eigen::Index f = 0; f < F.rows(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int u = F(f, HalfEdgeStart(k));
-      const int v = F(f, HalfEdgeEnd(k));
-      const Eigen::RowVector3d flow = c(f, k) * (P.row(u) - P.row(v));
-      result.row(u) += flow;
-      result.row(v) -= flow;
-    }
-  }
-  return result;
 }
+
+bool IsDegenerate(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
+{
+  constexpr double SmallestAngle = 1e-10;
+  const Eigen::Vector3d x = b - a;
+  const Eigen::Vector3d y = c - a;
+  const double longest = std::max({ x.stableNorm(), y.stableNorm(), (y - x).stableNorm() });
+  return !(longest > 0.0) || !((x / longest).cross(y / longest).norm() > SmallestAngle);
 }
 
 Eigen::VectorXd TriangleAreas(const Points& P, const Triangles& F)
@@ -136,17 +129,81 @@ double RadiusSpread(const Points& P, const Eigen::Vector3d& center)
   return std::sqrt((radius.array() - mean).square().mean()) / mean;
 }
 
-double DetailError(const Points& P, const Points& Q, const Triangles& F, const Matrices& R)
+namespace
 {
-  const HalfEdgeScalars c = HalfEdgeCotangents(P, F);
-  const Points rest = CotangentLaplacianVectors(P, F, c);
-  const Points deformed = CotangentLaplacianVectors(Q, F, c);
-  double sum = 0.0;
+double MeanSquareDistance(const Points& x, const Eigen::Vector3d& center, double radius)
+{
+  const auto distance = (x.rowwise() - center.transpose()).rowwise().norm();
+  return (distance.array() - radius).square().mean();
+}
+
+// Gauss-Newton on the distances, from the algebraic fit; steps that do not improve end it.
+void RefineSphere(const Points& x, FittedSphere& sphere)
+{
+  double error = MeanSquareDistance(x, sphere.center, sphere.radius);
+  for (int step = 0; step < 50; ++step)
+  {
+    Eigen::MatrixX4d J(x.rows(), 4);
+    J.leftCols<3>() = x.rowwise() - sphere.center.transpose();
+    const Eigen::VectorXd distance = J.leftCols<3>().rowwise().norm();
+    if (!(distance.minCoeff() > 0.0))
+    {
+      return;
+    }
+    J.leftCols<3>().array().colwise() /= distance.array();
+    J.col(3).setOnes();
+    const Eigen::Vector4d change =
+      J.colPivHouseholderQr().solve((distance.array() - sphere.radius).matrix());
+    const Eigen::Vector3d center = sphere.center + change.head<3>();
+    const double radius = sphere.radius + change(3);
+    const double now = MeanSquareDistance(x, center, radius);
+    if (!(now < error))
+    {
+      return;
+    }
+    sphere.center = center;
+    sphere.radius = radius;
+    error = now;
+  }
+}
+}
+
+FittedSphere FitSphere(const Points& P)
+{
+  constexpr double None = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::RowVector3d mean = P.colwise().mean();
+  Points x = P.rowwise() - mean;
+  const double size = x.cwiseAbs().maxCoeff();
+  x /= size > 0.0 ? size : 1.0;
+  // |x|^2 = 2 c.x + (r^2 - |c|^2), linear in c and the bracket
+  Eigen::MatrixX4d A(x.rows(), 4);
+  A << 2.0 * x, Eigen::VectorXd::Ones(x.rows());
+  Eigen::ColPivHouseholderQR<Eigen::MatrixX4d> qr(A);
+  qr.setThreshold(1e-9);
+  if (qr.rank() < 4)
+  {
+    return { Eigen::Vector3d::Constant(None), None, None };
+  }
+  const Eigen::Vector4d fit = qr.solve(x.rowwise().squaredNorm());
+  FittedSphere sphere;
+  sphere.center = fit.head<3>();
+  sphere.radius = std::sqrt(fit(3) + sphere.center.squaredNorm());
+  RefineSphere(x, sphere);
+  sphere.error = std::sqrt(MeanSquareDistance(x, sphere.center, sphere.radius)) / sphere.radius;
+  sphere.center = size * sphere.center + mean.transpose();
+  sphere.radius *= size;
+  return sphere;
+}
+
+Eigen::VectorXd RadialCosines(const Points& P, const Points& normals, const Eigen::Vector3d& center)
+{
+  Eigen::VectorXd cosine = Eigen::VectorXd::Zero(P.rows());
   for (Eigen::Index i = 0; i < P.rows(); ++i)
   {
-    sum += (deformed.row(i).transpose() - R[i] * rest.row(i).transpose()).squaredNorm();
+    const Eigen::RowVector3d d = P.row(i) - center.transpose();
+    const double distance = d.norm();
+    cosine(i) = distance > 0.0 ? d.dot(normals.row(i)) / distance : 0.0;
   }
-  const double diagonal = (P.colwise().maxCoeff() - P.colwise().minCoeff()).norm();
-  return std::sqrt(sum / static_cast<double>(P.rows())) / diagonal;
+  return cosine;
 }
 } // namespace SphericalStyle

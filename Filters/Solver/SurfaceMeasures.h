@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Areas, volume, normals and the measures of section [measures].
+/// Areas, volume, normals and the measures of one surface in section [measures].
 #ifndef SphericalStyle_SurfaceMeasures_h
 #define SphericalStyle_SurfaceMeasures_h
 
@@ -9,6 +9,10 @@
 
 namespace SphericalStyle
 {
+/// Whether a triangle has no usable angles: twice its area is 1e-10 times its longest edge squared,
+/// or less.
+bool IsDegenerate(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
 /// m triangle areas, length^2.
 Eigen::VectorXd TriangleAreas(const Points& P, const Triangles& F);
 /// n lumped areas: a third of each triangle to each corner, length^2. They sum to the surface area.
@@ -28,10 +32,22 @@ Points PointNormals(const Points& P, const Triangles& F);
 double Sphericity(const Points& P, const Triangles& F);
 /// Standard deviation of |p - O| over its mean. [measures]
 double RadiusSpread(const Points& P, const Eigen::Vector3d& center);
-/// Detail error [measures]: rms difference of the cotangent-Laplacian vectors sum_j w_ij (p_i -
-/// p_j) of P turned by R and of Q, relative to the diagonal of P.
-/// @param R  n rotations of the cells, rest to deformed
-double DetailError(const Points& P, const Points& Q, const Triangles& F, const Matrices& R);
+
+/// The sphere nearest to the points: the sum of (|p - center| - radius)^2 is least. [measures]
+struct FittedSphere
+{
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double radius = 0.0;
+  double error = 0.0; ///< rms distance of the points from it, over the radius
+};
+/// NaN for points in a plane (four on a sphere are needed).
+FittedSphere FitSphere(const Points& P);
+
+/// Cosine of the angle between the direction from the center and the normal, n: above 0 everywhere
+/// on a surface that is star-shaped around the center. 0 for a point on the center.
+/// @param normals  n x 3 unit normals
+Eigen::VectorXd RadialCosines(
+  const Points& P, const Points& normals, const Eigen::Vector3d& center);
 } // namespace SphericalStyle
 
 #endif

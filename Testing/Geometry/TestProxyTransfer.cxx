@@ -4,6 +4,7 @@
 // From the rounded proxy to the model against the formulas written out a second time, and what the
 // whole method keeps between calls: never anything that a fresh object would not come to.
 #include "Check.h"
+#include "DeformationMeasures.h"
 #include "LocalStep.h"
 #include "Meshes.h"
 #include "ProxyDeformation.h"

@@ -4,6 +4,7 @@
 // Weights, targets and the energy: identities that hold for each of them alone.
 #include "BaseSurface.h"
 #include "Check.h"
+#include "DeformationMeasures.h"
 #include "Meshes.h"
 #include "StyleEnergy.h"
 #include "SurfaceMeasures.h"

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DeformationMeasures.h"
+
+#include "EdgeWeights.h"
+#include "LocalStep.h"
+#include "MeshQuality.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace SphericalStyle
+{
+namespace
+{
+Points CotangentLaplacianVectors(const Points& P, const Triangles& F, const HalfEdgeScalars& c)
+{
+  Points result = Points::Zero(P.rows(), 3);
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int u = F(f, HalfEdgeStart(k));
+      const int v = F(f, HalfEdgeEnd(k));
+      const Eigen::RowVector3d flow = c(f, k) * (P.row(u) - P.row(v));
+      result.row(u) += flow;
+      result.row(v) -= flow;
+    }
+  }
+  return result;
+}
+}
+
+Matrices SurfaceRotations(const TriangleMesh& rest, const Points& deformed, int threads)
+{
+  const HalfEdgeScalars c = HalfEdgeCotangents(rest.P, rest.F);
+  Matrices S(rest.P.rows(), Eigen::Matrix3d::Zero());
+  for (Eigen::Index f = 0; f < rest.F.rows(); ++f)
+  {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+      const int u = rest.F(f, HalfEdgeStart(k));
+      const int v = rest.F(f, HalfEdgeEnd(k));
+      sum +=
+        c(f, k) * (rest.P.row(u) - rest.P.row(v)).transpose() * (deformed.row(u) - deformed.row(v));
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      S[rest.F(f, k)] += sum;
+    }
+  }
+  Matrices R(S.size(), Eigen::Matrix3d::Identity());
+  FitRotations(S, R, threads);
+  return R;
+}
+
+std::vector<char> TurnedOver(
+  const Points& P, const Points& Q, const Triangles& F, const Matrices& rotations)
+{
+  const auto normal = [&F](const Points& x, Eigen::Index f) -> Eigen::Vector3d
+  {
+    const Eigen::Vector3d a = x.row(F(f, 1)) - x.row(F(f, 0));
+    const Eigen::Vector3d b = x.row(F(f, 2)) - x.row(F(f, 0));
+    return a.cross(b);
+  };
+  constexpr double NoArea = 1e-9; // against the area before: rounding decides on its side
+  std::vector<char> turnedOver(F.rows());
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    const Eigen::Vector3d before = normal(P, f);
+    const Eigen::Vector3d after = normal(Q, f);
+    const Eigen::Vector3d turned =
+      (rotations[F(f, 0)] + rotations[F(f, 1)] + rotations[F(f, 2)]) * before.stableNormalized();
+    turnedOver[f] = after.stableNorm() > NoArea * before.stableNorm() &&
+      turned.dot(after.stableNormalized()) < 0.0;
+  }
+  return turnedOver;
+}
+
+int CountTurnedOver(const Points& P, const Points& Q, const Triangles& F, const Matrices& rotations)
+{
+  const std::vector<char> turnedOver = TurnedOver(P, Q, F, rotations);
+  return static_cast<int>(std::count(turnedOver.begin(), turnedOver.end(), 1));
+}
+
+double DetailError(const Points& P, const Points& Q, const Triangles& F, const Matrices& R)
+{
+  const HalfEdgeScalars c = HalfEdgeCotangents(P, F);
+  const Points rest = CotangentLaplacianVectors(P, F, c);
+  const Points deformed = CotangentLaplacianVectors(Q, F, c);
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < P.rows(); ++i)
+  {
+    sum += (deformed.row(i).transpose() - R[i] * rest.row(i).transpose()).squaredNorm();
+  }
+  const double diagonal = (P.colwise().maxCoeff() - P.colwise().minCoeff()).norm();
+  return std::sqrt(sum / static_cast<double>(P.rows())) / diagonal;
+}
+
+double DihedralChange(const Points& P, const Points& Q, const Triangles& F, const MeshEdges& edges)
+{
+  Eigen::ArrayXd change = DihedralAngles(Q, F, edges) - DihedralAngles(P, F, edges);
+  for (double& angle : change)
+  {
+    angle = std::remainder(angle, 2.0 * Pi);
+  }
+  return change.size() > 0 ? std::sqrt(change.square().mean()) : 0.0;
+}
+
+double LogSpread(const Eigen::VectorXd& ratios)
+{
+  if (ratios.size() == 0)
+  {
+    return 0.0;
+  }
+  const Eigen::ArrayXd logarithm = ratios.array().log();
+  return std::sqrt((logarithm - logarithm.mean()).square().mean());
+}
+} // namespace SphericalStyle
