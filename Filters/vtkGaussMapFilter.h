@@ -116,7 +116,7 @@ public:
   /**
    * An equal-angle unit is hit often, red in the thesis, when its count is more than this; see
    * above for equal-area units. In normals. The thesis gives no value. Finite and 0 or more.
-   * Default 10.
+   * Default 5.
    */
   vtkSetMacro(OftenThreshold, double);
   vtkGetMacro(OftenThreshold, double);

@@ -12,13 +12,16 @@ import sys
 import numpy as np
 from PIL import Image
 from vtkmodules.util import numpy_support
+from vtkmodules.vtkFiltersCore import vtkThreshold
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.path.insert(0, str(ROOT / "Utilities"))
 
 import demo  # noqa: E402, the demo's pictures look the same
-from sphericalstyle import vtkConvexProxyDeformFilter, vtkSphericalStyleFilter  # noqa: E402
+from sphericalstyle import (  # noqa: E402
+    vtkConvexProxyDeformFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics)
 
 
 def run(deform, surface, properties):
@@ -182,3 +185,28 @@ picture("house.png", (1200, 330), [[
     (proxied(house, Projection=2), "proxy, Smallest Angle"),
     (outer_sphere(house, 0.5), "sphere around the model, t = 0.5"),
 ]], 25.0, 13)
+
+# ------------------------------------------------------------------------------------ SurfaceMetrics
+
+
+def with_intersections(label, **properties):
+    """A panel of the rounded creature with its intersecting triangles in red."""
+    surface = rounded(creature, Roundness=0.1, **properties)
+    metrics = run(vtkSurfaceMetrics(), surface, {"ReferenceData": creature})
+    found = vtkThreshold()
+    found.SetInputData(metrics.GetOutput())
+    found.SetInputArrayToProcess(0, 0, 0, 1, "SelfIntersections")
+    found.SetUpperThreshold(0.5)
+    found.SetThresholdFunction(vtkThreshold.THRESHOLD_UPPER)
+    red = vtkGeometryFilter()
+    red.SetInputConnection(found.GetOutputPort())
+    red.Update()
+    count = metrics.GetOutputDataObject(1).GetColumnByName("SelfIntersectingTriangles").GetValue(0)
+    return surface, f"{label}: {count} triangles intersect", red.GetOutput()
+
+
+picture("self-intersections.png", (1200, 420), [[
+    with_intersections("NormalBlend 1", NormalBlend=1.0),
+    with_intersections("NormalBlend 1, Flip", NormalBlend=1.0, ConcaveEdges=1),
+    with_intersections("NormalBlend 0"),
+]], 25.0, 14)

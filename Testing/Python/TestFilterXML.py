@@ -45,6 +45,14 @@ FILTERS = {
         "outputs": ["Sphere", "Image", "Measures"],
         "arrays": ["NormalsArray"],
     },
+    "SurfaceMetrics": {
+        "label": "Surface Metrics",
+        "known": {"Center", "EstimateCondition", "FindSelfIntersections"},
+        "enumerations": {"CenterMode"},
+        "inputs": ["Input", "Reference"],
+        "outputs": ["Measured", "Measures"],
+        "arrays": [],
+    },
 }
 # Not clamped in C++ (a bad value is an error that names it): range of the panel.
 UNCLAMPED = {"Roundness": (0.0, 10.0), "Radius": (0.0, None), "TanhSteepness": (0.1, 10.0),

@@ -122,7 +122,7 @@ void TestInvariance()
   CHECK(again.nonZero == estimate.nonZero && again.pinned == estimate.pinned, "not the same bits");
 }
 
-/// Icospheres flattened to half their height: the growth with the mesh (thesis 4.6.7), four times
+/// Icospheres flattened to half their height: the growth with the mesh (thesis 4.8.2), four times
 /// the points and about four times the condition, and what the dense matrices give (A4.47, A8.19).
 void TestGrowth()
 {
