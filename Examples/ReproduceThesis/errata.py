@@ -35,7 +35,7 @@ def fixed(context, model, iterations, **properties):
                          **properties)
 
 
-# --------------------------------------------------------------------------- an independent reference
+# ------------------------------------------------------------------------- an independent reference
 class Reference:
     """Local and global steps of chapter 4 in numpy, dense and slow, with the mistakes on demand.
 
@@ -138,13 +138,14 @@ def point_normals(x, F):
     return n / np.linalg.norm(n, axis=1)[:, None]
 
 
-# ----------------------------------------------------------------------------------------- the energy
+# --------------------------------------------------------------------------------------- the energy
 @experiment("A8.0", title="The energy to minimize", where="Eq. 4.8-4.38, with the errata below",
-            claim="Local and global steps minimize one energy that is never negative and never rises.")
+            claim="Local and global steps minimize one energy that is never negative and never"
+            " rises.")
 def energy(section, context):
     section.text("E = Σ over triangles f, half-edges h of f, corners y of f of c_h |e' - R_y e|² +"
-                 " λ/2 |r R_y Δt - e'|², c_h half the cotangent opposite h in f itself. λ means the same"
-                 " as in the thesis; open, obtuse and non-manifold meshes need no exceptions.")
+                 " λ/2 |r R_y Δt - e'|², c_h half the cotangent opposite h in f itself. λ means the"
+                 " same as in the thesis; open, obtuse and non-manifold meshes need no exceptions.")
     rows = []
     for name in context.choose(("tangram-prism", "open-ellipsoid"),
                                ("cube", "stone-house", "tangram-prism", "open-ellipsoid")):
@@ -166,24 +167,28 @@ def energy(section, context):
                 E, p = check.run(30)
                 rows.append((name, blend, roundness, table["Total"][0], table["Total"][-1],
                              rises(steps, table["Total"][0]),
-                             abs(by_hand / style.GetFinalEnergy() - 1.0), abs(E[-1] / table["Total"][-1] - 1.0),
+                             abs(by_hand / style.GetFinalEnergy() - 1.0),
+                             abs(E[-1] / table["Total"][-1] - 1.0),
                              distance(q, p)))
-    section.table("Energy", ["model", "a", "λ", "E at the start", "E after 30 iterations", "steps that rise",
+    section.table("Energy", ["model", "a", "λ", "E at the start", "E after 30 iterations",
+                             "steps that rise",
                              "against the sum by hand", "against 30 steps in numpy",
-                             "points, against numpy"], rows, caption="Relative differences; points in diagonals")
+                             "points, against numpy"], rows,
+                  caption="Relative differences; points in diagonals")
     section.check(min(row[4] for row in rows) >= 0.0, "E is never negative")
     section.check(max(row[5] for row in rows) == 0, "no step raises E", f"{60 * len(rows)} steps")
-    section.check(max(row[6] for row in rows) < 1e-9, "the filter's energy is the sum by hand, to 1e-9",
+    section.check(max(row[6] for row in rows) < 1e-9, "the filter's energy is the sum by hand, to"
+                  " 1e-9",
                   f"{max(row[6] for row in rows):.0e}")
-    section.check(max(row[8] for row in rows) < 1e-6, "a second implementation, in numpy, comes to the same"
-                  " points, to 1e-6 diagonals", f"{max(row[8] for row in rows):.0e}")
+    section.check(max(row[8] for row in rows) < 1e-6, "a second implementation, in numpy, comes to"
+                  " the same points, to 1e-6 diagonals", f"{max(row[8] for row in rows):.0e}")
 
 
 @experiment("A8.1", title="The stop rule", where="3.5, Eq. 3.46-3.48",
             claim="The iteration has converged once res < 0.001.")
 def stop_rule(section, context):
-    explain(section, "Eq. 3.47 and 3.48 square the distances: res < 0.001 is a step of 3.2 % of the largest"
-            " displacement, and slow convergence hides behind it. 0 / 0 is not excluded.",
+    explain(section, "Eq. 3.47 and 3.48 square the distances: res < 0.001 is a step of 3.2 % of the"
+            " largest displacement, and slow convergence hides behind it. 0 / 0 is not excluded.",
             "stop at an estimated energy gap (StopRule Converged), or compare unsquared distances.")
     rows = []
     names = ("go-stone", "cube", "stone-house") + (() if context.small else ("creature",))
@@ -200,24 +205,29 @@ def stop_rule(section, context):
             for style in (stopped, ours):
                 off = aligned(limit, points(style.GetOutput()))[0] - limit
                 start = history(style)["Total"][0]
-                gap = (style.GetFinalEnergy() - best.GetFinalEnergy()) / (start - best.GetFinalEnergy())
-                row += [style.GetNumberOfIterations(), 100.0 * length(off).max() / length(limit - x).max(), gap]
+                least = best.GetFinalEnergy()
+                gap = (style.GetFinalEnergy() - least) / (start - least)
+                row += [style.GetNumberOfIterations(),
+                        100.0 * length(off).max() / length(limit - x).max(), gap]
             rows.append(row)
     section.table("Stop rule", ["model", "λ", "iterations, thesis", "missing, %", "energy gap",
                                 "iterations, Converged", "missing, % ", "energy gap "], rows,
-                  caption="Missing: largest distance from the limit, over the largest displacement. Energy"
-                  " gap: (E - E*) / (E_0 - E*), which Converged takes below 1e-4")
-    section.check(max(row[3] for row in rows) < 3.2, "less than 3.2 % of the largest displacement is missing",
+                  caption="Missing: largest distance from the limit, over the largest displacement."
+                  " Energy gap: (E - E*) / (E_0 - E*), which Converged takes below 1e-4")
+    section.check(max(row[3] for row in rows) < 3.2, "less than 3.2 % of the largest displacement"
+                  " is missing",
                   f"{min(row[3] for row in rows):.1f} to {max(row[3] for row in rows):.1f} %")
 
 
-# ------------------------------------------------------------------------------------------- chapter 3
+# ---------------------------------------------------------------------------------------- chapter 3
 @experiment("A8.3", title="The center as a constraint", where="Eq. 3.26-3.37",
-            claim="Eliminating p'_n through o = mean of p' and dropping row n solves for the least energy.")
+            claim="Eliminating p'_n through o = mean of p' and dropping row n solves for the least"
+            " energy.")
 def center_constraint(section, context):
-    explain(section, "the multiplier of the constraint is ignored, and the matrix loses its symmetry. What it solves"
-            " is no minimum, and the energy can rise.",
-            "with o fixed the matrix is positive definite as it is: solve that (CenterConstraint Corrected).")
+    explain(section, "the multiplier of the constraint is ignored, and the matrix loses its"
+            " symmetry. What it solves is no minimum, and the energy can rise.",
+            "with o fixed the matrix is positive definite as it is: solve that (CenterConstraint"
+            " Corrected).")
     rows, curves = [], {}
     for name in ("go-stone", "cube", "stone-house"):
         curves[name] = {}
@@ -230,8 +240,10 @@ def center_constraint(section, context):
                          rises(np.diff(table["Total"]), table["Total"][0]),
                          table["Total"][-1] / table["Total"][0]))
     section.plot("Energy", curves, x="Iteration", y="E / E at the start")
-    section.table("Center", ["model", "constraint", "global steps of 30 that raise E", "iterations that do",
-                             "E at last / at the start"], rows, caption="Nonlinear feature, λ = 0.05")
+    section.table("Center", ["model", "constraint", "global steps of 30 that raise E",
+                             "iterations that do",
+                             "E at last / at the start"], rows,
+                  caption="Nonlinear feature, λ = 0.05")
     written, corrected = (max(row[2] for row in rows if row[1] == label)
                           for label in ("as written", "corrected"))
     section.check(written == 0, "as written, no global step raises the energy",
@@ -249,9 +261,10 @@ def one_rings(F):
 @experiment("A8.4", title="The auxiliary scale", where="Eq. 3.10-3.12",
             claim="Eq. 3.12 minimizes the energy in s_j.")
 def auxiliary_scale(section, context):
-    explain(section, "the right side of Eq. 3.12 sums over j. It gives one number for the cell i and not s_j,"
-            " which all cells around j share; so the step is no descent of the total.",
-            "s_j = max(0, Σ (p'_j - o)·R_i n_j / (ν_j |p'_j - o|²)), over the ν_j cells i that hold j.")
+    explain(section, "the right side of Eq. 3.12 sums over j. It gives one number for the cell i"
+            " and not s_j, which all cells around j share; so the step is no descent of the total.",
+            "s_j = max(0, Σ (p'_j - o)·R_i n_j / (ν_j |p'_j - o|²)), over the ν_j cells i that hold"
+            " j.")
     model = context.model("stone-house")
     x, F = points(model), triangles(model)
     n, rings = point_normals(x, F), one_rings(F)
@@ -271,22 +284,29 @@ def auxiliary_scale(section, context):
 
         per_cell = np.bincount(i, along) / np.bincount(i, square)
         per_point = np.maximum(0.0, np.bincount(j, along) / np.bincount(j, square))
-        rows.append((amount, spherical(1.0 / np.linalg.norm(p, axis=1)), spherical(per_cell), spherical(per_point)))
-    section.table("Spherical energy", ["noise of points and rotations", "s = 1 / |p' - o|", "s by Eq. 3.12",
-                                       "s per point"], rows, caption="Stone house, Eq. 3.2 without λ")
-    section.check(all(row[2] <= row[3] * (1.0 + 1e-9) for row in rows), "s by Eq. 3.12 has the least energy",
+        rows.append((amount, spherical(1.0 / np.linalg.norm(p, axis=1)), spherical(per_cell),
+                     spherical(per_point)))
+    section.table("Spherical energy", ["noise of points and rotations", "s = 1 / |p' - o|",
+                                       "s by Eq. 3.12",
+                                       "s per point"], rows,
+                  caption="Stone house, Eq. 3.2 without λ")
+    section.check(all(row[2] <= row[3] * (1.0 + 1e-9) for row in rows),
+                  "s by Eq. 3.12 has the least energy",
                   f"{max(row[2] / row[3] for row in rows):.2f} times that of s per point")
-    section.check(all(row[2] <= row[1] for row in rows), "it has no more than the s it started from",
+    section.check(all(row[2] <= row[1] for row in rows),
+                  "it has no more than the s it started from",
                   ", ".join(f"{row[2]:.0f} against {row[1]:.0f}" for row in rows))
 
 
-# ------------------------------------------------------------------------------------------- chapter 4
+# ---------------------------------------------------------------------------------------- chapter 4
 @experiment("A8.6", title="Obtuse triangles", where="5.1, abstract",
-            claim="On obtuse triangles the matrix is not positive definite, and the method fails for that.")
+            claim="On obtuse triangles the matrix is not positive definite, and the method fails"
+            " for that.")
 def obtuse(section, context):
-    explain(section, "the cotangent matrix is positive semidefinite on every mesh (A5.1). What does the damage"
-            " is that Eq. 4.13 and 4.22 give both half-edges of an edge the full w: cells use cotangents of"
-            " triangles outside of them, and their energy has no lower bound to rely on.",
+    explain(section, "the cotangent matrix is positive semidefinite on every mesh (A5.1). What does"
+            " the damage is that Eq. 4.13 and 4.22 give both half-edges of an edge the full w:"
+            " cells use cotangents of triangles outside of them, and their energy has no lower"
+            " bound to rely on.",
             "every triangle's half-edges have its own half cotangents (EdgeWeighting HalfEdge).")
     rows, curves = [], {}
     for name in ("stone-house", "tangram-prism"):
@@ -295,39 +315,47 @@ def obtuse(section, context):
         edges, w = edge_weights(x, F)
         eigenvalues = np.linalg.eigvalsh(laplacian(len(x), edges, w))
         for roundness in (0.05, 0.1, 0.5):
-            for label, weighting in (("full edge", Style.FULL_EDGE), ("half-edge", Style.HALF_EDGE)):
+            for label, weighting in (("full edge", Style.FULL_EDGE),
+                                     ("half-edge", Style.HALF_EDGE)):
                 style = fixed(context, model, 40, Roundness=roundness, EdgeWeighting=weighting)
                 q = points(style.GetOutput())
-                rows.append((name, eigenvalues[0] / eigenvalues[-1], roundness, label, history(style)["Total"].min(),
+                rows.append((name, eigenvalues[0] / eigenvalues[-1], roundness, label,
+                             history(style)["Total"].min(),
                              turned_over(x, q, F), (areas(q, F) / areas(x, F)).max()))
                 if roundness == 0.1:
                     curves.setdefault(name, {})[label] = history(style)["Total"]
     section.plot("Energy", curves, x="Iteration", y="E", caption="λ = 0.1")
-    section.table("Weights", ["model", "smallest / largest eigenvalue", "λ", "weights", "lowest energy",
+    section.table("Weights", ["model", "smallest / largest eigenvalue", "λ", "weights",
+                              "lowest energy",
                               "triangles turned over", "largest growth of a triangle"], rows)
-    section.check(min(row[1] for row in rows) < -1e-10, "the cotangent matrix has a negative eigenvalue",
+    section.check(min(row[1] for row in rows) < -1e-10, "the cotangent matrix has a negative"
+                  " eigenvalue",
                   f"{min(row[1] for row in rows):.0e} of the largest")
     half = [row for row in rows if row[3] == "half-edge" and row[2] < 0.5]
     full = [row for row in rows if row[3] == "full edge" and row[2] < 0.5]
     section.check(min(row[4] for row in half) < 0.0 or max(row[5] for row in half) > 0,
-                  "up to λ = 0.1 the energy gets negative or triangles turn over with half-edge weights, too",
-                  f"lowest {min(row[4] for row in half):.2f}, {max(row[5] for row in half)} triangles; full edge:"
-                  f" {min(row[4] for row in full):.1f}, {max(row[5] for row in full)} triangles")
+                  "up to λ = 0.1 the energy gets negative or triangles turn over with half-edge"
+                  " weights, too",
+                  f"lowest {min(row[4] for row in half):.2f}, {max(row[5] for row in half)}"
+                  f" triangles; full edge: {min(row[4] for row in full):.1f},"
+                  f" {max(row[5] for row in full)} triangles")
 
 
 @experiment("A8.7", title="Open borders", where="Eq. 4.18-4.22, Alg. 1",
             claim="Eq. 4.22 holds for every edge.")
 def borders(section, context):
-    explain(section, "an edge of the border has one triangle. There is no R_n, and one half-edge; the letter of"
-            " Eq. 4.22 has weights of 6 on the left and 5 on the right.",
+    explain(section, "an edge of the border has one triangle. There is no R_n, and one half-edge;"
+            " the letter of Eq. 4.22 has weights of 6 on the left and 5 on the right.",
             "sum over half-edges: 3 (c_h + λ/2) on the left, R_i + R_j + R_m on the right.")
     model = context.model("open-ellipsoid")
     x, F = points(model), triangles(model)
     c, w = weights(x, F)
     tau = targets(x, F, directions(x))
     rows, curves = [], {}
-    for label, wide, spherical, literal in (("to the letter", w, 0.5, True), ("half-edges", c, 0.25, False)):
-        E, _ = Reference(x, F, tau, (wide, np.full(len(w), spherical)), literal_border=literal).run(60)
+    for label, wide, spherical, literal in (("to the letter", w, 0.5, True),
+                                            ("half-edges", c, 0.25, False)):
+        E, _ = Reference(x, F, tau, (wide, np.full(len(w), spherical)),
+                         literal_border=literal).run(60)
         rows.append((label, int((np.diff(E)[0::2] > 1e-10 * E[0]).sum()), E[-1]))
         curves[label] = E[1::2] / E[0]
     style = fixed(context, model, 60, Roundness=0.5)
@@ -336,15 +364,16 @@ def borders(section, context):
     section.plot("Energy", curves, x="Iteration", y="E / first E")
     section.table("Open ellipsoid", ["border", "global steps of 60 that raise E", "E at last"],
                   rows, caption="λ = 0.5, a = 0")
-    section.check(rows[0][1] == 0, "to the letter, no global step raises the energy", f"{rows[0][1]} of 60 do;"
-                  f" with half-edges {rows[1][1]}, in the filter {rows[2][1]}")
+    section.check(rows[0][1] == 0, "to the letter, no global step raises the energy",
+                  f"{rows[0][1]} of 60 do; half-edges {rows[1][1]}, the filter {rows[2][1]}")
 
 
 @experiment("A8.8", title="Weights of other codes", where="4.3-4.4",
             claim="Local and global steps may take their weights from different cotangent codes.")
 def mixed_weights(section, context):
-    explain(section, "the common matrix of cotangents per triangle holds half of what Eq. 4.13 sums in the local"
-            " step. Mixed, the rigid term counts half against λ, and the steps minimize two energies.",
+    explain(section, "the common matrix of cotangents per triangle holds half of what Eq. 4.13 sums"
+            " in the local step. Mixed, the rigid term counts half against λ, and the steps"
+            " minimize two energies.",
             "assemble both steps from one list of half-edges.")
     rows = []
     for name in ("go-stone", "stone-house"):
@@ -354,8 +383,10 @@ def mixed_weights(section, context):
         tau, full = targets(x, F, directions(x)), np.full(len(w), 0.5)
         for label, whole in (("same weights", (w, full)), ("global step per triangle", (c, full))):
             E, _ = Reference(x, F, tau, (w, full), whole).run(60)
-            rows.append((name, label, int((np.diff(E)[0::2] > 1e-10 * abs(E[0])).sum()), E[0], E[-1]))
-    section.table("Mixed", ["model", "weights", "global steps of 60 that raise E", "E at first", "E at last"], rows)
+            rows.append((name, label, int((np.diff(E)[0::2] > 1e-10 * abs(E[0])).sum()), E[0],
+                         E[-1]))
+    section.table("Mixed", ["model", "weights", "global steps of 60 that raise E", "E at first",
+                            "E at last"], rows)
     mixed = [row[2] for row in rows if row[1].startswith("global")]
     section.check(max(mixed) == 0, "mixed, no global step raises the energy of the local one",
                   f"{min(mixed)} to {max(mixed)} of 60 do")
@@ -364,8 +395,8 @@ def mixed_weights(section, context):
 @experiment("A8.9", title="Why the matrix is singular", where="4.4",
             claim="L0 is singular because of rotation; one fixed point makes the result unique.")
 def null_space(section, context):
-    explain(section, "the null space is translation: one constant vector for each connected component. Rotations"
-            " are no part of it. Fixing a point lets the centroid drift.",
+    explain(section, "the null space is translation: one constant vector for each connected"
+            " component. Rotations are no part of it. Fixing a point lets the centroid drift.",
             "one anchor per component, then put each component's centroid back (Anchor Centroid).")
     ball = models.SHAPES["icosphere"](level=2)
     x, F = points(ball), triangles(ball)
@@ -379,39 +410,49 @@ def null_space(section, context):
         spin = np.cross((0.0, 1.0, 0.0), x)
         rows.append((name, int((eigenvalues < 1e-10 * eigenvalues[-1]).sum()),
                      np.linalg.norm(L @ np.ones(len(x))) / np.linalg.norm(L),
-                     np.linalg.norm(L @ spin) / (np.linalg.norm(L) * np.linalg.norm(spin, axis=0).max())))
-    section.table("Null space", ["model", "eigenvalues 0", "|L 1| / |L|", "|L (ω × p)| / |L| |ω × p|"], rows,
+                     np.linalg.norm(L @ spin) / (np.linalg.norm(L) * np.linalg.norm(spin,
+                                                                                    axis=0).max())))
+    section.table("Null space", ["model", "eigenvalues 0", "|L 1| / |L|",
+                                 "|L (ω × p)| / |L| |ω × p|"], rows,
                   caption="L with w + λ, λ = 0.5")
-    section.check(rows[0][3] < 1e-10, "a rotation ω × p lies in the null space", f"{rows[0][3]:.2g}; a"
-                  f" translation: {rows[0][2]:.0e}")
-    section.check(rows[1][1] == 1, "one fixed point is enough for two components", f"{rows[1][1]} eigenvalues are 0")
+    section.check(rows[0][3] < 1e-10, "a rotation ω × p lies in the null space",
+                  f"{rows[0][3]:.2g}; a translation: {rows[0][2]:.0e}")
+    section.check(rows[1][1] == 1, "one fixed point is enough for two components",
+                  f"{rows[1][1]} eigenvalues are 0")
     rows = []
     for name in ("creature", "stone-house"):
         model = context.model(name)
         x, F = points(model), triangles(model)
-        at_last, at_centroid = (points(context.style(model, Roundness=0.5, Anchor=anchor).GetOutput())
+        at_last, at_centroid = (points(context.style(model, Roundness=0.5,
+                                                     Anchor=anchor).GetOutput())
                                 for anchor in (Style.LAST_POINT, Style.CENTROID))
         offset = at_last - at_centroid
         rows.append((name, np.linalg.norm(offset.mean(axis=0)) / radius(x, F),
                      np.ptp(offset, axis=0).max() / diagonal(x)))
-    section.table("Drift", ["model", "drift of the centroid, r", "difference but for the drift, diagonals"], rows,
+    section.table("Drift", ["model", "drift of the centroid, r",
+                            "difference but for the drift, diagonals"], rows,
                   caption="Last point fixed, against centroid fixed")
-    section.check(max(row[1] for row in rows) < 0.01, "with a fixed point the model stays where it is, to 0.01 r",
-                  f"it drifts by {min(row[1] for row in rows):.2f} to {max(row[1] for row in rows):.2f} r")
+    section.check(max(row[1] for row in rows) < 0.01, "with a fixed point the model stays where it"
+                  " is, to 0.01 r",
+                  f"it drifts by {min(row[1] for row in rows):.2f} to"
+                  f" {max(row[1] for row in rows):.2f} r")
 
 
 @experiment("A8.10", title="Length of blended targets", where="Eq. 4.6",
-            claim="t = (1 - a) d + a n is a direction; the target sphere has the radius r for every a.")
+            claim="t = (1 - a) d + a n is a direction; the target sphere has the radius r for every"
+            " a.")
 def blended_length(section, context):
-    explain(section, "t is shorter than 1 wherever d and n differ, and 0 where they are opposite: there the target"
-            " has the radius r |t|.", "normalize t; or take it as it is and know of it, as the filter does.")
+    explain(section, "t is shorter than 1 wherever d and n differ, and 0 where they are opposite:"
+            " there the target has the radius r |t|.", "normalize t; or take it as it is and know"
+            " of it, as the filter does.")
     rows = []
     for name in ("go-stone", "creature", "stone-house"):
         style = context.style(context.model(name), NormalBlend=0.5, MaximumNumberOfIterations=1,
                               StopRule=Style.FIXED_ITERATIONS)
         length = np.linalg.norm(array(style.GetOutput(), "TargetDirection"), axis=1)
         rows.append((name, length.min(), length.mean(), 100.0 * (length < 0.9).mean()))
-    section.table("Length of t", ["model", "smallest", "mean", "points below 0.9, %"], rows, caption="a = 0.5")
+    section.table("Length of t", ["model", "smallest", "mean", "points below 0.9, %"], rows,
+                  caption="a = 0.5")
     section.check(min(row[1] for row in rows) > 0.99, "all targets have length 1, to a hundredth",
                   f"they go down to {min(row[1] for row in rows):.2f}")
 
@@ -419,8 +460,9 @@ def blended_length(section, context):
 @experiment("A8.11", title="The difference flip", where="Eq. 4.39",
             claim="The sign of Δn is that of the current shape; the energy still converges.")
 def flip(section, context):
-    explain(section, "which shape the 90° are measured on is not said, nor that both half-edges and both steps"
-            " must have the same sign.", "one sign per edge, on the rest shape (ConcaveEdges Flip).")
+    explain(section, "which shape the 90° are measured on is not said, nor that both half-edges and"
+            " both steps must have the same sign.", "one sign per edge, on the rest shape"
+            " (ConcaveEdges Flip).")
     model = context.model("stone-house")
     x, F = points(model), triangles(model)
     c, _ = weights(x, F)
@@ -443,8 +485,8 @@ def flip(section, context):
     section.plot("Energy", curves, x="Iteration", y="E")
     section.table("Flip", ["sign of", "iterations", "that raise E", "E at last"], rows,
                   caption="Stone house, a = 1, λ = 0.1")
-    section.check(rows[1][2] == 0, "with the sign of the current shape E never rises", f"{rows[1][2]} of"
-                  f" {rows[1][1]} iterations; rest shape: {rows[0][2]}")
+    section.check(rows[1][2] == 0, "with the sign of the current shape E never rises",
+                  f"{rows[1][2]} of {rows[1][1]} iterations; rest shape: {rows[0][2]}")
 
 
 @experiment("A8.12", title="λ depends on the triangles", where="4.2",
@@ -462,37 +504,44 @@ def triangulation(section, context):
     for name, model in meshes:
         row = [name, model.GetNumberOfPoints()]
         for weighting in (Style.UNIFORM, Style.COTANGENT):
-            q = points(context.style(model, Roundness=0.1, SphericalWeighting=weighting).GetOutput())
+            q = points(context.style(model, Roundness=0.1,
+                                     SphericalWeighting=weighting).GetOutput())
             row.append(np.ptp(q[:, 1]) / np.ptp(q[:, 0]))
         rows.append(row)
-    section.table("One ellipsoid, five meshes", ["mesh", "points", "height / width, uniform (thesis)",
-                                                 "cotangent"], rows, caption="λ = 0.1; at first 0.45")
+    section.table("One ellipsoid, five meshes", ["mesh", "points",
+                                                 "height / width, uniform (thesis)",
+                                                 "cotangent"], rows,
+                  caption="λ = 0.1; at first 0.45")
     ranges = [(min(row[k] for row in rows), max(row[k] for row in rows)) for k in (2, 3)]
-    section.check(ranges[0][1] - ranges[0][0] < 0.02, "five meshes of one ellipsoid get equally round, height over"
-                  " width within 0.02", f"{ranges[0][0]:.3f} to {ranges[0][1]:.3f}; with cotangent weights"
+    section.check(ranges[0][1] - ranges[0][0] < 0.02, "five meshes of one ellipsoid get equally"
+                  " round, height over width within 0.02",
+                  f"{ranges[0][0]:.3f} to {ranges[0][1]:.3f}; with cotangent weights"
                   f" {ranges[1][0]:.3f} to {ranges[1][1]:.3f}")
 
 
 @experiment("A8.13", title="No self-intersections with a = 0", where="4.6.4", needs=METRICS,
-            claim="Position directions never oppose each other, so there are no self-intersections.")
+            claim="Position directions never oppose each other, so nothing intersects itself.")
 def star_shaped(section, context):
-    explain(section, "the first half is true for any two points: (d_i - d_j)·(p_i - p_j) ="
-            " (ρ_i + ρ_j)(1 - d_i·d_j) ≥ 0. The second does not follow: where the model is not star-shaped about O,"
-            " several sheets share one direction and end up on one another.",
-            "look at (p - O)·n < 0 beforehand (RadialCosine of vtkSurfaceMetrics) and at intersections afterwards.")
+    explain(section, "the first half is true for any two points: (d_i - d_j)·(p_i - p_j) = (ρ_i +"
+            " ρ_j)(1 - d_i·d_j) ≥ 0. The second does not follow: where the model is not star-shaped"
+            " about O, several sheets share one direction and end up on one another.",
+            "look at (p - O)·n < 0 beforehand (RadialCosine of vtkSurfaceMetrics) and at"
+            " intersections afterwards.")
     creature = context.model("creature")
     x = points(creature)[:: context.choose(8, 3)]
     d = directions(x)
     gram = d @ d.T
     rho = np.linalg.norm(x - x.mean(axis=0), axis=1)
     identity = ((rho[:, None] + rho) * (1.0 - gram)).min()
-    section.check(identity > -1e-12, "(d_i - d_j)·(p_i - p_j) ≥ 0 for all pairs of points", f"{len(x) ** 2} pairs of"
-                  f" the creature, least {identity:.0e}")
+    section.check(identity > -1e-12, "(d_i - d_j)·(p_i - p_j) ≥ 0 for all pairs of points",
+                  f"{len(x) ** 2} pairs of the creature, least {identity:.0e}")
     rows = []
-    subjects = [(name, context.model(name)) for name in ("creature", "stone-house", "tangram-prism")]
+    subjects = [(name, context.model(name)) for name in ("creature", "stone-house",
+                                                         "tangram-prism")]
     for name, model in subjects:
         overhang = context.metrics(model)["OverhangShare"]
-        for label, weighting in (("full edge (thesis)", Style.FULL_EDGE), ("half-edge", Style.HALF_EDGE)):
+        for label, weighting in (("full edge (thesis)", Style.FULL_EDGE),
+                                 ("half-edge", Style.HALF_EDGE)):
             for roundness in (0.5, 5.0):
                 q = context.style(model, Roundness=roundness, EdgeWeighting=weighting).GetOutput()
                 rows.append((name, 100.0 * overhang, label, roundness,
@@ -501,12 +550,15 @@ def star_shaped(section, context):
                                     "triangles that intersect"], rows, caption="a = 0")
     for label in ("full edge (thesis)", "half-edge"):
         most = max(row[4] for row in rows if row[2] == label)
-        section.check(most == 0, f"no triangles intersect with a = 0, weights {label}", f"up to {most}")
+        section.check(most == 0, f"no triangles intersect with a = 0, weights {label}",
+                      f"up to {most}")
 
 
-@experiment("A8.14", title="Volume", where="4.2", claim="r of the sphere of equal area keeps the size.")
+@experiment("A8.14", title="Volume", where="4.2", claim="r of the sphere of equal area keeps the"
+            " size.")
 def growth(section, context):
-    explain(section, "of all shapes of one area the sphere has the largest volume: the model grows.",
+    explain(section,
+            "of all shapes of one area the sphere has the largest volume: the model grows.",
             "r of equal volume (RadiusMode EqualVolume).")
     rows = []
     for name in ("go-stone", "cube", "stone-house", "creature"):
@@ -514,18 +566,22 @@ def growth(section, context):
         x, F = points(model), triangles(model)
         for label, mode in (("equal area", Style.EQUAL_AREA), ("equal volume", Style.EQUAL_VOLUME)):
             q = points(context.style(model, Roundness=5.0, RadiusMode=mode).GetOutput())
-            rows.append((name, label, areas(q, F).sum() / areas(x, F).sum(), volume(q, F) / volume(x, F)))
-    section.table("Size", ["model", "radius", "area, times", "volume, times"], rows, caption="λ = 5")
+            rows.append((name, label, areas(q, F).sum() / areas(x, F).sum(),
+                         volume(q, F) / volume(x, F)))
+    section.table("Size", ["model", "radius", "area, times", "volume, times"], rows,
+                  caption="λ = 5")
     grown = [row[3] for row in rows if row[1] == "equal area"]
     kept = [row[3] for row in rows if row[1] == "equal volume"]
-    section.check(max(grown) < 1.1, "the volume grows by less than a tenth", f"×{min(grown):.2f} to"
-                  f" ×{max(grown):.2f}; equal volume: ×{min(kept):.2f} to ×{max(kept):.2f}")
+    section.check(max(grown) < 1.1, "the volume grows by less than a tenth",
+                  f"×{min(grown):.2f} to ×{max(grown):.2f}; equal volume: ×{min(kept):.2f} to"
+                  f" ×{max(kept):.2f}")
 
 
 @experiment("A8.19", title="Condition number", where="4.8.2, Eq. 4.40",
             claim="The condition of L0 is σ_max / σ_min.")
 def condition(section, _context):
-    explain(section, "σ_min of L0 is 0. With a point pinned it is not, but then the number measures the pin.",
+    explain(section, "σ_min of L0 is 0. With a point pinned it is not, but then the number measures"
+            " the pin.",
             "the smallest σ that is not 0.")
     rows = []
     for level in (1, 2, 3):
@@ -535,15 +591,18 @@ def condition(section, _context):
         L = laplacian(len(x), edges, w + 0.5)
         all_, pinned = np.linalg.eigvalsh(L), np.linalg.eigvalsh(L[:-1, :-1])
         rows.append((len(x), all_[0] / all_[-1], pinned[-1] / pinned[0], all_[-1] / all_[1]))
-    section.table("Condition", ["points", "σ_min / σ_max", "with a point pinned", "without the 0"], rows,
+    section.table("Condition", ["points", "σ_min / σ_max", "with a point pinned", "without the 0"],
+                  rows,
                   caption="Balls, λ = 0.5")
-    section.check(min(row[1] for row in rows) > 1e-10, "σ_min of L0 is not 0", f"{max(abs(row[1]) for row in rows):.0e}"
-                  " of the largest")
-    section.check(max(row[2] / row[3] for row in rows) < 2.0, "pinned or not is the same within a factor of 2",
-                  f"×{min(row[2] / row[3] for row in rows):.0f} to ×{max(row[2] / row[3] for row in rows):.0f}")
+    section.check(min(row[1] for row in rows) > 1e-10, "σ_min of L0 is not 0",
+                  f"{max(abs(row[1]) for row in rows):.0e} of the largest")
+    section.check(max(row[2] / row[3] for row in rows) < 2.0,
+                  "pinned or not is the same within a factor of 2",
+                  f"×{min(row[2] / row[3] for row in rows):.0f} to"
+                  f" ×{max(row[2] / row[3] for row in rows):.0f}")
 
 
-# ------------------------------------------------------------------------------------------- chapter 5
+# ---------------------------------------------------------------------------------------- chapter 5
 def coefficients_of_the_thesis(p, A, B, C):
     """Eq. 5.5-5.17 with their tests for exact zeros."""
     for first, second in ((0, 1), (0, 2), (1, 2)):
@@ -566,10 +625,11 @@ def coefficients_by_area(p, A, B, C):
 
 
 @experiment("A8.21", title="Interpolation coefficients", where="Eq. 5.5-5.17",
-            claim="Pairs of coordinates with tests for zero give the coefficients of every triangle.")
+            claim="Pairs of coordinates with tests for zero give the coefficients of every"
+            " triangle.")
 def coefficients(section, context):
-    explain(section, "the algebra is right, but the first pair whose divisor is not exactly 0 is taken. On triangles"
-            " nearly parallel to an axis that divisor is rounding.",
+    explain(section, "the algebra is right, but the first pair whose divisor is not exactly 0 is"
+            " taken. On triangles nearly parallel to an axis that divisor is rounding.",
             "ratios of areas, b1 = ((C - B) × (q - B))·N / N·N and so on, for all triangles.")
     random = np.random.RandomState(21)
     rows = []
@@ -586,40 +646,48 @@ def coefficients(section, context):
                            for f in (coefficients_of_the_thesis, coefficients_by_area)])
         errors = np.nan_to_num(np.array(errors), nan=np.inf)
         rows.append((label, *np.median(errors, axis=0), *errors.max(axis=0)))
-    section.table("Error of q", ["triangles", "thesis, median", "areas, median", "thesis, largest", "areas, largest"],
+    section.table("Error of q", ["triangles", "thesis, median", "areas, median", "thesis, largest",
+                                 "areas, largest"],
                   rows, caption="Triangles of size 1")
-    section.check(max(row[3] for row in rows[:2]) < 1e-9, "q comes back to 1e-9 on random triangles and on those"
-                  " parallel to an axis", f"{max(row[3] for row in rows[:2]):.0e}")
-    section.check(max(row[3] for row in rows[2:]) < 1e-9, "and on those nearly parallel", f"errors up to"
-                  f" {max(row[3] for row in rows[2:]):.1g}; by areas {max(row[4] for row in rows):.0e}")
+    section.check(max(row[3] for row in rows[:2]) < 1e-9,
+                  "q comes back to 1e-9 on random triangles and on those parallel to an axis",
+                  f"{max(row[3] for row in rows[:2]):.0e}")
+    section.check(max(row[3] for row in rows[2:]) < 1e-9, "and on those nearly parallel",
+                  f"errors up to {max(row[3] for row in rows[2:]):.1g}; by areas"
+                  f" {max(row[4] for row in rows):.0e}")
 
 
 @experiment("A8.22", title="The k nearest points", where="5.3.1", needs=PROXY,
-            claim="k = 4 nearest points lead to the nearest foot; case III is mended by projecting again.")
+            claim="k = 4 nearest points lead to the nearest foot; case III is mended by projecting"
+            " again.")
 def nearest_points(section, context):
-    explain(section, "the nearest triangle need not touch one of the nearest points, least of all on slivers; and the"
-            " foot of a foot outside of all triangles may stay outside.",
+    explain(section, "the nearest triangle need not touch one of the nearest points, least of all"
+            " on slivers; and the foot of a foot outside of all triangles may stay outside.",
             "the exact nearest point (Projection ClosestPoint).")
     rows = []
     for name in ("creature", "stone-house"):
         model = context.model(name)
         x = points(model)
-        for label, mesher in (("even", Proxy.ISOTROPIC_REMESHING), ("the hull's slivers", Proxy.SUBDIVIDED_HULL)):
+        for label, mesher in (("even", Proxy.ISOTROPIC_REMESHING),
+                              ("the hull's slivers", Proxy.SUBDIVIDED_HULL)):
             lengths = []
             for projection in (Proxy.NEAREST_VERTICES, Proxy.CLOSEST_POINT):
-                f = context.run(PROXY[0], model, ProxyMesher=mesher, Projection=projection, GenerateProjectionArrays=True)
+                f = context.run(PROXY[0], model, ProxyMesher=mesher, Projection=projection,
+                                GenerateProjectionArrays=True)
                 ends = points(f.GetOutput(2)).reshape(-1, 2, 3)
                 lengths.append(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))
                 if projection == Proxy.NEAREST_VERTICES:
                     third = array(f.GetOutput(), "ProjectionCase") == 3
             wrong = (lengths[0] - lengths[1]) / diagonal(x) > 1e-6
-            rows.append((name, label, len(x), int(third.sum()), int((third & wrong).sum()), int(wrong.sum())))
-    section.table("k = 4", ["model", "proxy", "points", "case III", "of these not nearest", "not nearest, all"], rows)
-    section.check(max(row[5] for row in rows) == 0, "all feet are nearest", f"up to"
-                  f" {max(100.0 * row[5] / row[2] for row in rows):.1f} % are not")
+            rows.append((name, label, len(x), int(third.sum()), int((third & wrong).sum()),
+                         int(wrong.sum())))
+    section.table("k = 4", ["model", "proxy", "points", "case III", "of these not nearest",
+                            "not nearest, all"], rows)
+    section.check(max(row[5] for row in rows) == 0, "all feet are nearest",
+                  f"up to {max(100.0 * row[5] / row[2] for row in rows):.1f} % are not")
     share = sum(row[4] for row in rows) / max(1, sum(row[3] for row in rows))
-    section.check(share == 0.0, "projecting again leads to the nearest foot in case III", f"not for {100.0 * share:.0f} %"
-                  f" of {sum(row[3] for row in rows)} points")
+    section.check(share == 0.0, "projecting again leads to the nearest foot in case III",
+                  f"not for {100.0 * share:.0f} % of {sum(row[3] for row in rows)} points")
 
 
 @experiment("A8.23", title="Blending flattens details", where="Eq. 5.18", needs=PROXY,
@@ -632,43 +700,50 @@ def flattening(section, context):
         model = context.model(name)
         x, F = points(model), triangles(model)
         curves[name] = {}
+        panels = [(model, "model")]
         for label, kind in (("Blend (thesis)", Proxy.BLEND), ("Offset", Proxy.OFFSET)):
             ts = (0.8, 0.5, 0.2, 0.0)
-            results = [context.run(PROXY[0], model, Blend=t, Transfer=kind, OutputPointsPrecision=1).GetOutput() for t in ts]
+            results = [context.run(PROXY[0], model, Blend=t, Transfer=kind,
+                                   OutputPointsPrecision=1).GetOutput() for t in ts]
             changes = [dihedral_change(x, points(q), F) for q in results]
             rows.append((name, label, *changes))
             curves[name][label] = (ts, changes)
-            if label == "Offset":
-                panels.append((results[2], "t = 0.2, Offset"))
-            else:
-                panels = [(model, "model"), (results[2], "t = 0.2, Blend")]
+            panels.append((results[2], f"t = 0.2, {label}"))
         section.picture(name, panels)
     section.plot("Details", curves, x="t", y="rms change of angles, °")
-    section.table("Change of details", ["model", "transfer", "t = 0.8", "t = 0.5", "t = 0.2", "t = 0"], rows,
+    section.table("Change of details", ["model", "transfer", "t = 0.8", "t = 0.5", "t = 0.2",
+                                        "t = 0"], rows,
                   caption="Rms change of the angles between neighbouring triangles, degrees")
     for blend, offset in (rows[:2], rows[2:]):
-        section.check(blend[4] <= offset[4], f"{blend[0]}, t = 0.2: blending changes no more than keeping the offsets",
+        section.check(blend[4] <= offset[4], f"{blend[0]}, t = 0.2: blending changes no more than"
+                      " keeping the offsets",
                       f"{blend[4]:.1f}° against {offset[4]:.1f}°")
 
 
-# -------------------------------------------------------------------------- measures and comparisons
+# ------------------------------------------------------------------------- measures and comparisons
 def units_hit(normals, equal_area):
     """How often each of 360 x 180 units is hit: of equal angle, or of equal area."""
-    height = normals[:, 1] if equal_area else np.degrees(np.arcsin(np.clip(normals[:, 1], -1.0, 1.0))) / 90.0
-    column = np.floor(np.degrees(np.arctan2(normals[:, 0], normals[:, 2])) % 360.0).astype(int) % 360
+    height = normals[:, 1] if equal_area else np.degrees(np.arcsin(np.clip(normals[:, 1], -1.0,
+                                                                           1.0))) / 90.0
+    column = np.floor(np.degrees(np.arctan2(normals[:, 0],
+                                            normals[:, 2])) % 360.0).astype(int) % 360
     row = np.clip(np.floor(90.0 * (height + 1.0)), 0, 179).astype(int)
     return np.bincount(180 * column + row, minlength=360 * 180)
 
 
 @experiment("A8.26", title="Units of the Gauss map", where="4.6.2, Table 4.1",
-            claim="The number of units hit, and of those hit often, measures how spread the normals are.")
+            claim="The number of units hit, and of those hit often, measures how spread the normals"
+            " are.")
 def gauss_units(section, context):
-    explain(section, "units of 1° by 1° shrink to nothing at the poles; counts depend on how the model stands and on"
-            " how many triangles it has. From which count a unit is red, and whether points or faces count, is not said.",
-            "units of equal area, weights by area, and measures such as entropy (vtkGaussMapFilter).")
+    explain(section, "units of 1° by 1° shrink to nothing at the poles; counts depend on how the"
+            " model stands and on how many triangles it has. From which count a unit is red, and"
+            " whether points or faces count, is not said.",
+            "units of equal area, weights by area, and measures such as entropy"
+            " (vtkGaussMapFilter).")
     colatitude = np.radians(np.arange(181))
     unit = -np.diff(np.cos(colatitude))
-    section.text(f"The largest unit of 1° by 1° has {unit.max() / unit.min():.0f} times the area of the smallest.")
+    section.text(f"The largest unit of 1° by 1° has {unit.max() / unit.min():.0f} times the area of"
+                 " the smallest.")
     model = context.model("creature")
     n = normals_of(points(model), triangles(model))
     random = np.random.RandomState(26)
@@ -682,13 +757,15 @@ def gauss_units(section, context):
             row += [int((hits > 0).sum()), int((hits >= 5).sum())]
         rows.append(row)
     fine = np.bincount(units_hit(np.repeat(n, 4, axis=0), False))
-    section.table("One model, turned", ["turn", "units hit, equal angle", "hit 5 times or more", "units hit, equal area",
+    section.table("One model, turned", ["turn", "units hit, equal angle", "hit 5 times or more",
+                                        "units hit, equal area",
                                         "hit 5 times or more "], rows)
     often = [row[2] for row in rows]
-    section.check(max(often) <= 1.05 * min(often), "turning the model changes the count of units hit 5 times or more by"
-                  " less than a twentieth", f"{min(often)} to {max(often)}")
+    section.check(max(often) <= 1.05 * min(often), "turning the model changes the count of units"
+                  " hit 5 times or more by less than a twentieth", f"{min(often)} to {max(often)}")
     before, after = rows[0][2], int(fine[5:].sum())
-    section.check(after <= 1.05 * before, "so does cutting each triangle in four, which changes no normal",
+    section.check(after <= 1.05 * before, "so does cutting each triangle in four, which changes no"
+                  " normal",
                   f"{before} to {after}")
 
 
@@ -700,48 +777,60 @@ def on_outer_sphere(model, factor, t=0.5):
 
 
 @experiment("A8.27", title="The outer sphere", where="4.6.2, Fig. 4.26",
-            claim="outSphere blends the model with a sphere around it; the description suffices to repeat it.")
+            claim="outSphere blends the model with a sphere around it; the description suffices to"
+            " repeat it.")
 def outer_sphere(section, context):
-    explain(section, "the radius is not given, nor what happens if O lies outside or a point beyond the sphere.",
-            "by default the radius is the largest |p - O|, and the ray leaves O through p (vtkSphereProjectionFilter).")
+    explain(section, "the radius is not given, nor what happens if O lies outside or a point beyond"
+            " the sphere.",
+            "by default the radius is the largest |p - O|, and the ray leaves O through p"
+            " (vtkSphereProjectionFilter).")
     house = context.model("stone-house")
     x, F = points(house), triangles(house)
     results = [(factor, on_outer_sphere(house, factor)) for factor in (1.0, 1.5, 2.0)]
-    rows = [(factor, volume(points(q), F) / volume(x, F), dihedral_change(x, points(q), F)) for factor, q in results]
-    section.picture("Radii", [(house, "model"), *((q, f"radius × {factor:g}") for factor, q in results)])
-    section.table("Radius", ["radius / largest |p - O|", "volume, times", "rms change of angles, °"], rows, caption="t = 0.5")
-    section.check(max(row[2] for row in rows) < 1.05 * rows[0][2], "every sphere around the model gives the same shape,"
-                  " details within a twentieth", ", ".join(f"{row[2]:.1f}°" for row in rows))
+    rows = [(factor, volume(points(q), F) / volume(x, F), dihedral_change(x, points(q), F))
+            for factor, q in results]
+    section.picture("Radii", [(house, "model"), *((q, f"radius × {factor:g}") for factor,
+                                                  q in results)])
+    section.table("Radius", ["radius / largest |p - O|", "volume, times",
+                             "rms change of angles, °"], rows, caption="t = 0.5")
+    section.check(max(row[2] for row in rows) < 1.05 * rows[0][2],
+                  "every sphere around the model gives the same shape, details within a twentieth",
+                  ", ".join(f"{row[2]:.1f}°" for row in rows))
 
 
 @experiment("A8.28", title="The mean of the points", where="4.2.1",
             claim="The mean of the points is the center of the model.")
 def point_mean(section, context):
-    explain(section, "it moves to where points are dense.", "the centroid of the surface (CenterMode AreaCentroid).")
+    explain(section, "it moves to where points are dense.",
+            "the centroid of the surface (CenterMode AreaCentroid).")
     rows = []
     for name, powers in (("even", 1.0), ("denser to one end", 2.0)):
         side = np.linspace(0.0, 1.0, 21) ** powers
-        x, F = (f(models.SHAPES["box"](size=(1.0, 1.0, 1.0), divisions=(20, 20, 20))) for f in (points, triangles))
+        x, F = (f(models.SHAPES["box"](size=(1.0, 1.0, 1.0), divisions=(20, 20, 20)))
+                for f in (points, triangles))
         x[:, 0] = np.interp(x[:, 0], np.linspace(-0.5, 0.5, 21), side - 0.5)
         row = [name]
         for mode in (Style.POINT_MEAN, Style.AREA_CENTROID):
             style = context.style(surface(x, F), Roundness=1.0, CenterMode=mode)
-            q = points(style.GetOutput())
-            row += [abs(style.GetEffectiveCenter()[0]), abs((q[:, 0].max() + q[:, 0].min()) / np.ptp(q[:, 0]))]
+            along = points(style.GetOutput())[:, 0]
+            row += [abs(style.GetEffectiveCenter()[0]),
+                    abs(along.max() + along.min()) / np.ptp(along)]
         rows.append(row)
-    section.table("A unit cube", ["points", "O off the middle, mean", "lopsidedness", "O off the middle, area centroid",
+    section.table("A unit cube", ["points", "O off the middle, mean", "lopsidedness",
+                                  "O off the middle, area centroid",
                                   "lopsidedness "], rows)
-    section.check(rows[1][1] < 0.01, "the mean of the points of a unit cube is its middle, however they lie, to 0.01",
+    section.check(rows[1][1] < 0.01, "the mean of the points of a unit cube is its middle, however"
+                  " they lie, to 0.01",
                   f"{rows[1][1]:.3f} off; area centroid {rows[1][3]:.0e}")
 
 
 @experiment("A8.29", title="Points at one place, seams", where="not discussed",
             claim="Every mesh is connected through its points.")
 def seams(section, context):
-    explain(section, "texture seams and split normals cut a mesh where its surface is closed; non-manifold edges and"
-            " triangles without area are not mentioned.",
-            "solve coincident points as one (WeldCoincidentPoints); sum over half-edges, any number per edge; skip"
-            " triangles without area.")
+    explain(section, "texture seams and split normals cut a mesh where its surface is closed;"
+            " non-manifold edges and triangles without area are not mentioned.",
+            "solve coincident points as one (WeldCoincidentPoints); sum over half-edges, any number"
+            " per edge; skip triangles without area.")
     rows = []
     for name in ("icosahedron", "car"):
         seamed = context.model(name)
@@ -752,7 +841,8 @@ def seams(section, context):
             q = points(context.style(seamed, WeldCoincidentPoints=weld).GetOutput())
             row.append(100.0 * length(q - q[place]).max() / diagonal(x))
         rows.append(row)
-    section.table("Seams", ["model", "points at the place of another", "largest gap, to the letter, %",
+    section.table("Seams", ["model", "points at the place of another",
+                            "largest gap, to the letter, %",
                             "welded, %"], rows, caption="In % of the diagonal")
     section.check(rows[1][2] < 0.01, "the car's seams stay closed, to 0.01 % of the diagonal",
                   f"they open by {rows[1][2]:.1f} %; welded: {rows[1][3]:g}")
@@ -762,54 +852,71 @@ def seams(section, context):
     fin = np.concatenate([x, [1.5 * (x[F[0, 0]] + x[F[0, 1]])]])
     faces = np.concatenate([F, [(F[0, 0], F[0, 1], len(x)), (F[0, 0], F[0, 0], F[0, 1])]])
     q = points(context.style(surface(fin, faces), Roundness=1.0).GetOutput())
-    section.check(np.isfinite(q).all(), "a fin on an edge and a triangle without area are no obstacle to the filter")
+    section.check(np.isfinite(q).all(), "a fin on an edge and a triangle without area are no"
+                  " obstacle to the filter")
 
 
-@experiment("A8.30", title="Several parts", where="4.2, 4.6.6", claim="One O and one r serve the whole model.")
+@experiment("A8.30", title="Several parts", where="4.2, 4.6.6",
+            claim="One O and one r serve the whole model.")
 def parts(section, context):
-    explain(section, "parts share no edge: a small one takes on the curvature of its distant view of O, and is pulled to"
-            " the size of a piece of the large sphere.", "O and r of each part.")
+    explain(section, "parts share no edge: a small one takes on the curvature of its distant view"
+            " of O, and is pulled to the size of a piece of the large sphere.",
+            "O and r of each part.")
     ball = models.SHAPES["box"](size=(1.0, 1.0, 1.0), divisions=(8, 8, 8))
     x, F = points(ball), triangles(ball)
     rows = []
     for offset in (0.0, 0.8, 2.0):
-        two = surface(np.concatenate([x, 0.2 * x + (offset, 0.0, 0.0)]), np.concatenate([F, F + len(x)]))
+        two = surface(np.concatenate([x, 0.2 * x + (offset, 0.0, 0.0)]),
+                      np.concatenate([F, F + len(x)]))
         q = points(context.style(two, Roundness=5.0).GetOutput())
         small = q[len(x):]
-        rows.append((offset, areas(q, F).sum() / areas(x, F).sum(), areas(small, F).sum() / areas(0.2 * x, F).sum(),
+        rows.append((offset, areas(q, F).sum() / areas(x, F).sum(),
+                     areas(small, F).sum() / areas(0.2 * x, F).sum(),
                      volume(small, F) / volume(0.2 * x, F)))
-    section.table("A cube and one of a fifth its size", ["distance of the centers", "area of the large, times",
-                                                         "area of the small, times", "volume of the small, times"], rows,
+    section.table("A cube and one of a fifth its size", ["distance of the centers",
+                                                         "area of the large, times",
+                                                         "area of the small, times",
+                                                         "volume of the small, times"], rows,
                   caption="λ = 5")
     worst = max(max(row[2], 1.0 / row[2]) for row in rows)
-    section.check(worst < 1.5, "the area of the small part changes by less than half", f"by a factor of up to {worst:.1f}")
+    section.check(worst < 1.5, "the area of the small part changes by less than half",
+                  f"by a factor of up to {worst:.1f}")
 
 
-# ------------------------------------------------------------------------------------ slips of writing
+# --------------------------------------------------------------------------------- slips of writing
 SLIPS = {
     "A8.2": ("Eq. 3.1, 3.2, 4.2, 4.8, 4.16", "The sum with λ stands outside of the sum over i.",
              "Σ_i { ... + λ ... }; otherwise Eq. 3.14 and 4.19 do not follow."),
-    "A8.5": ("Eq. 3.14-3.24", "w_ii appears, j = i is counted twice, o is constant in the derivative though it is a mean"
-             " of the unknowns, and s may be negative.",
-             "W_i = Σ over N(i) without i, o constant during the step, s ≥ 0. Chapter 3 shows the rest."),
-    "A8.15": ("Eq. 4.13", "(i, j) ∈ ε_i also names rim edges that do not touch i.", "(u, v) ∈ ε_i, see A8.0."),
-    "A8.16": ("Eq. 4.19, last term", "Written with t_i - t_j where Eq. 4.18 has p_j - p_i for the same half-edge.",
+    "A8.5": ("Eq. 3.14-3.24", "w_ii appears, j = i is counted twice, o is constant in the"
+             " derivative though it is a mean of the unknowns, and s may be negative.",
+             "W_i = Σ over N(i) without i, o constant during the step, s ≥ 0. Chapter 3 shows the"
+             " rest."),
+    "A8.15": ("Eq. 4.13", "(i, j) ∈ ε_i also names rim edges that do not touch i.",
+              "(u, v) ∈ ε_i, see A8.0."),
+    "A8.16": ("Eq. 4.19, last term", "Written with t_i - t_j where Eq. 4.18 has p_j - p_i for the"
+              " same half-edge.",
               "Both change sign together; the result is the same."),
-    "A8.17": ("Eq. 4.9", "The factor 12, later 6, is dropped, so that λ compares with other codes only up to a factor 2.",
+    "A8.17": ("Eq. 4.9", "The factor 12, later 6, is dropped, so that λ compares with other codes"
+              " only up to a factor 2.",
               "The energy of A8.0, in which λ has the meaning of Eq. 4.8."),
-    "A8.18": ("Eq. 2.5", "The cross product is used as a number.", "cot = dot / |cross|, and a guard where |cross| is 0."),
-    "A8.20": ("Eq. 3.39, 4.35, 5.1", "B_n1 for B_non1; 1 for the factor l; b1, b2, b3 in x and i, j, k in y and z.",
+    "A8.18": ("Eq. 2.5", "The cross product is used as a number.",
+              "cot = dot / |cross|, and a guard where |cross| is 0."),
+    "A8.20": ("Eq. 3.39, 4.35, 5.1", "B_n1 for B_non1; 1 for the factor l; b1, b2, b3 in x and i,"
+              " j, k in y and z.",
               "As the neighbouring equations have it."),
     "A8.24": ("5.5, Fig. 5.5", "Enlarging against an axis has no formula.",
               "q'' = O + G (q' - O) with G = diag(AxisGain), before Eq. 5.18; A5.13 shows it."),
     "A8.25": ("5.4", "Results are said to be in section 5.3.", "They are in 5.5."),
     "A8.31": ("4.8.1", "The energy is called non-linear, as in [20].",
-              "It is quadratic in p' and linear in R; what makes it non-convex is that R are rotations."),
+              "It is quadratic in p' and linear in R; what makes it non-convex is that R are"
+              " rotations."),
 }
 
 
 @experiment(*SLIPS, title="Slips of writing and gaps", where="various",
             claim={row: f"{where}: {problem}" for row, (where, problem, _) in SLIPS.items()})
 def slips(section, _context):
-    section.table("Instead", ["row", "where", "correct form"], [(row, where, correct) for row, (where, _, correct) in SLIPS.items()])
-    section.verdict(NOT_REPRODUCED, "Nothing to measure: wrong or missing signs, indices, brackets and references.")
+    section.table("Instead", ["row", "where", "correct form"],
+                  [(row, where, correct) for row, (where, _, correct) in SLIPS.items()])
+    section.verdict(NOT_REPRODUCED, "Nothing to measure: wrong or missing signs, indices, brackets"
+                    " and references.")

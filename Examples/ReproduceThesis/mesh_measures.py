@@ -23,7 +23,7 @@ def welded(surface):
     return F[angles(x, F).min(axis=1) > SLIVER]
 
 
-# -------------------------------------------------------------------------------- size and shape
+# ----------------------------------------------------------------------------------- size and shape
 def diagonal(x):
     return np.linalg.norm(np.ptp(x, axis=0))
 
@@ -59,7 +59,7 @@ def obtuse(x, F):
 
 
 def spread(x, F):
-    """Standard deviation over mean of the distances from the area centroid, by area: 0 is a sphere."""
+    """Standard deviation over mean of the distances from the area centroid, by area."""
     area, middle = areas(x, F), x[F].mean(axis=1)
     radius = length(middle - np.average(middle, axis=0, weights=area))
     mean = np.average(radius, weights=area)
@@ -71,7 +71,7 @@ def turned_over(before, after, F):
     return int((dot(crosses(before, F), crosses(after, F)) < 0.0).sum())
 
 
-# ------------------------------------------------------------------------------------------ edges
+# -------------------------------------------------------------------------------------------- edges
 def corner_table(F):
     """(u, v, opposite corner) of all half-edges, and the triangle of each."""
     corners = np.concatenate([F[:, (0, 1, 2)], F[:, (1, 2, 0)], F[:, (2, 0, 1)]])
@@ -137,7 +137,7 @@ def open_edges(surface):
     return edges.GetOutput().GetNumberOfCells()
 
 
-# ---------------------------------------------------------------------------------------- shapes
+# ------------------------------------------------------------------------------------------- shapes
 def aligned(a, b, scale=False):
     """b moved, turned and, if asked, scaled onto a (Kabsch, Umeyama); and the factor."""
     ca, cb = a.mean(axis=0), b.mean(axis=0)
@@ -161,7 +161,7 @@ def similar(a, b):
     return np.sqrt(dot(a - near, a - near).mean()) / diagonal(a), factor
 
 
-# --------------------------------------------------------------------------------------- energies
+# ----------------------------------------------------------------------------------------- energies
 def rises(changes, scale):
     """How many changes of an energy are above 0, beyond rounding."""
     return int((changes > 1e-10 * abs(scale)).sum())
