@@ -2,15 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sections 4.6, 4.7 and 4.9: results with directions as targets, a = 0, and with blends."""
 import numpy as np
-from vtkmodules.vtkCommonDataModel import vtkPlane
-from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkTriangleFilter
 
 from chapter4_normals import GROWTH, bunny, with_growth
 from common import METRICS, check_monotone, energy_plot, result_table
 from measures import dot, edges, fit_sphere, length, ray_crossings
 from report import experiment
-from surfaces import array, columns, points, triangles, with_array
+from surfaces import array, columns, part, points, triangles, with_array
 
+FACE = (0.36, 0.66)  # of a bust's height
 LEAST_CROSSINGS = 3  # of a ray that leaves the model, comes back and leaves again
 
 
@@ -189,7 +188,7 @@ STYLES = ("Tetrahedron", "Cube", "Octahedron", "Icosahedron", "Dodecahedron")
                          "2527) and the fewest units often (0; input 16, styles 54 to 113)."})
 def gauss(section, context):
     real = context.real("nefertiti")
-    surface, name = (front(real), "nefertiti's face") if real else (context.model("head"), "head")
+    surface, name = (face_of(real), "nefertiti's face") if real else (context.model("head"), "head")
     section.text(f"Model: {name}, {surface.GetNumberOfCells():,} triangles, in place of the thesis' "
                  "female face. One normal per triangle, 360 x 180 units of a degree each; the thesis "
                  "does not say from which count on a unit is red: here more than 5.")
@@ -197,7 +196,8 @@ def gauss(section, context):
         "vtkNormalAnalogyFilter", surface, Style=k, Weight=10.0, OutputPointsPrecision=1).GetOutput()
         for k, style in enumerate(STYLES) if style != "Dodecahedron"}
     results = {"input": surface,
-               "ours, λ = 0.5": context.thesis(surface, Roundness=0.5).GetOutput(), **styles}
+               "ours, λ = 0.5": context.thesis(surface, Roundness=0.5).GetOutput(),
+               "ours, default": context.style(surface, Roundness=0.5).GetOutput(), **styles}
     section.picture("Results", [(result, label, None, -20.0) for label, result in results.items()])
     rows, clusters = [], []
     for label, result in results.items():
@@ -218,7 +218,7 @@ def gauss(section, context):
                                 "distance to uniform"], rows,
                   "Table 4.1 with our model; the last two columns on units of equal area: 1 and 0 "
                   "for a spread as even as a ball's")
-    ours, rest = rows[1], rows[2:]
+    ours, rest = rows[1], rows[3:]
     section.check(ours[1] > max(row[1] for row in rows[:1] + rest),
                   "Our result hits more units than input and styles",
                   ", ".join(f"{row[0]} {row[1]}" for row in rows), "A4.35")
@@ -251,23 +251,12 @@ def gauss(section, context):
                   "A4.33")
 
 
-def front(surface):
-    """The front half of a bust's head that looks along +Z, about as the thesis' female face."""
-    low, high = np.reshape(surface.GetBounds(), (3, 2)).T
-    clipped = surface
-    for normal, origin in (((0, 0, 1), 0.5 * (low + high)), ((0, 1, 0), low + 0.45 * (high - low))):
-        plane = vtkPlane()
-        plane.SetNormal(normal)
-        plane.SetOrigin(origin)
-        clip = vtkClipPolyData()
-        clip.SetInputData(clipped)
-        clip.SetClipFunction(plane)
-        clip.Update()
-        clipped = clip.GetOutput()
-    triangulate = vtkTriangleFilter()
-    triangulate.SetInputData(clipped)
-    triangulate.Update()
-    return triangulate.GetOutput()
+def face_of(bust):
+    """The face of a bust that looks along +Z: its front half between chin and brow."""
+    low, high = np.reshape(bust.GetBounds(), (3, 2)).T
+    place = ((points(bust) - low) / (high - low))[triangles(bust)]
+    return part(bust, ((place[:, :, 2] > 0.5) & (place[:, :, 1] > FACE[0])
+                       & (place[:, :, 1] < FACE[1])).all(axis=1))
 
 
 @experiment("A4.36", "A4.37", title="A stone house, and the outer sphere", where="4.6.2, Fig. 4.25-4.26",
@@ -440,20 +429,20 @@ def one_center(section, context):
                   "around centers of their own, converge to several spheres.")
 def several_centers(section, context):
     surface = context.model("snowman")
-    part = array(surface, "CenterId")
+    number = array(surface, "CenterId")
     runs = {"one center": context.style(surface, Roundness=5.0).GetOutput(),
             "a center each, at once": context.run(
                 "vtkSphericalStyleFilter", surface, arrays={5: (0, "CenterId")}, Roundness=5.0,
                 OutputPointsPrecision=1).GetOutput(),
             "one part after the other": part_by_part(context, surface)}
     section.picture("Results", [(surface, "model")] + [(s, label) for label, s in runs.items()])
-    rows = [[label] + [radius_spread(points(s)[part == k]) for k in np.unique(part)]
+    rows = [[label] + [radius_spread(points(s)[number == k]) for k in np.unique(number)]
             for label, s in ([("model", surface)] + list(runs.items()))]
-    section.table("Parts", ["", *(f"part {k}" for k in np.unique(part))], rows,
+    section.table("Parts", ["", *(f"part {k}" for k in np.unique(number))], rows,
                   "Radius spread of every part, λ = 5: standard deviation over mean of the distances "
                   "of its points from their mean, which is the center of its sphere")
     E = edges(triangles(surface))
-    joint = E[part[E[:, 0]] != part[E[:, 1]]]
+    joint = E[number[E[:, 0]] != number[E[:, 1]]]
     for row in rows[2:]:
         for name, other in (("in the model", rows[0]), ("with one center", rows[1])):
             section.check(all(after < before for after, before in zip(row[1:], other[1:])),
@@ -473,9 +462,9 @@ def radius_spread(P):
 
 def part_by_part(context, surface):
     """From the top down, everything else held, each around the mean of its points."""
-    part = array(surface, "CenterId")
-    for number in sorted(np.unique(part), reverse=True):
-        masked = with_array(surface, "Part", (part == number).astype(np.int32))
+    number = array(surface, "CenterId")
+    for k in sorted(np.unique(number), reverse=True):
+        masked = with_array(surface, "Part", (number == k).astype(np.int32))
         surface = context.run("vtkSphericalStyleFilter", masked, arrays={4: (0, "Part")}, Roundness=5.0,
                               BorderWidth=0.0, OutputPointsPrecision=1).GetOutput()
     return surface

@@ -13,7 +13,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 
-from surfaces import points, surface, triangles
+from surfaces import part, points, surface, triangles
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Data"))
 import generate_models as data  # noqa: E402
@@ -102,10 +102,8 @@ def ellipsoid(around=24, rings=16, axes=(1.0, 0.45, 1.0)):
 def open_ellipsoid(around=24, rings=16, axes=(1.0, 0.45, 1.0), kept=0.75):
     """The same without its cap above kept times the height."""
     whole = ellipsoid(around, rings, axes)
-    positions, faces = points(whole), triangles(whole)
-    faces = faces[(positions[faces, 1] <= kept * axes[1] + 1e-9).all(axis=1)]
-    used, faces = np.unique(faces, return_inverse=True)
-    return surface(positions[used], faces.reshape(-1, 3))
+    height = points(whole)[triangles(whole), 1]
+    return part(whole, (height <= kept * axes[1] + 1e-9).all(axis=1))
 
 
 @shape("box")
@@ -254,10 +252,9 @@ def compound(cells=40):
 def mask(cells=44):
     """The head's face with a rim of triangles that are long and thin, in place of the female face."""
     whole = head(cells)
-    positions, faces = points(whole), triangles(whole)
-    faces = faces[(positions[faces, 2] > 0.0).all(axis=1) & (positions[faces, 1] > -0.85).all(axis=1)]
-    used, faces = np.unique(faces, return_inverse=True)
-    positions, faces = positions[used], faces.reshape(-1, 3)
+    corners = points(whole)[triangles(whole)]
+    face = part(whole, ((corners[:, :, 2] > 0.0) & (corners[:, :, 1] > -0.85)).all(axis=1))
+    positions, faces = points(face), triangles(face)
     # Half-edges without a twin run along the border.
     edges = np.concatenate([faces[:, [k, (k + 1) % 3]] for k in range(3)])
     known = {tuple(edge) for edge in edges.tolist()}

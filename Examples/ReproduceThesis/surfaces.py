@@ -29,6 +29,12 @@ def moved(original, positions):
     return result
 
 
+def part(original, flags):
+    """A surface of the flagged triangles and the points they use."""
+    used, faces = np.unique(triangles(original)[flags], return_inverse=True)
+    return surface(points(original)[used], faces.reshape(-1, 3))
+
+
 def _points(positions):
     result = vtkPoints()
     result.SetData(numpy_to_vtk(np.array(positions, dtype=float), deep=True))
