@@ -31,7 +31,8 @@ class Context:
     def _model(self, name, **parameters):
         """A shape of models.py, or else a file of Data/ by its stem. Never change it: it is shared."""
         if name in models.SHAPES:
-            return models.SHAPES[name](**parameters)
+            coarse = models.COARSE.get(name, {}) if self.small else {}
+            return models.SHAPES[name](**(coarse | parameters))
         return demo.read(ROOT / "Data" / f"{name}.vtp")
 
     def real(self, name):

@@ -18,6 +18,8 @@ from surfaces import part, points, surface, triangles
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Data"))
 import generate_models as data  # noqa: E402
 
+COARSE = {"head": {"cells": 30}, "mask": {"cells": 30}, "robot": {"cells": 28},
+          "quadruped": {"cells": 32}, "compound": {"cells": 28}}  # of a small run
 GOLDEN = 0.5 * (1.0 + np.sqrt(5.0))
 SHAPES = {}
 
