@@ -9,11 +9,15 @@ NAME: pictures to make, as car for car.png; all without one.
 import pathlib
 import sys
 
+import matplotlib
+import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkFiltersCore import vtkThreshold
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+
+matplotlib.use("Agg")
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -45,12 +49,20 @@ def projection_lines(surface, **properties):
     return run(vtkConvexProxyDeformFilter(), surface, properties).GetOutput(2)
 
 
+def wanted(name):
+    return len(sys.argv) == 1 or pathlib.Path(name).stem in sys.argv[1:]
+
+
+def quantize(file):
+    """A third of the size."""
+    Image.open(file).convert("RGB").quantize(128).save(file, optimize=True)
+
+
 def picture(name, size, panels, view, points):
-    if len(sys.argv) > 1 and pathlib.Path(name).stem not in sys.argv[1:]:
-        return
-    file = HERE / "pictures" / name
-    demo.picture(file, size, panels, "y", view, points)
-    Image.open(file).convert("RGB").quantize(128).save(file, optimize=True)  # a third of the size
+    if wanted(name):
+        file = HERE / "pictures" / name
+        demo.picture(file, size, panels, "y", view, points)
+        quantize(file)
 
 
 creature = demo.read(ROOT / "Data" / "creature.vtp")
@@ -114,6 +126,50 @@ picture("snowman.png", (1000, 330), [[
     (around_centers(snowman), "three centers"),
     (part_by_part(snowman), "one part after the other"),
 ]], 25.0, 13)
+
+# ----------------------------------------------------------------------------------- NonlinearFeature
+stone = demo.read(ROOT / "Data" / "go-stone.vtp")
+nonlinear = {"Feature": vtkSphericalStyleFilter.NONLINEAR}
+thirty = {"StopRule": vtkSphericalStyleFilter.FIXED_ITERATIONS, "MaximumNumberOfIterations": 30,
+          "Acceleration": False}
+
+picture("nonlinear-stone.png", (1000, 330), [[
+    (stone, "model"),
+    (rounded(stone, Roundness=1.0), "Linear"),
+    (rounded(stone, Roundness=1.0, **nonlinear, **thirty), "Nonlinear, 30 iterations"),
+    (rounded(stone, Roundness=1.0, Tolerance=1e-6, **nonlinear), "Nonlinear, converged"),
+]], 55.0, 13)
+
+
+def energy_plot(name, surface, roundness):
+    """Fig. 3.5: energy and global change, as written and corrected; what rises is red."""
+    if not wanted(name):
+        return
+    figure, (total_axes, change_axes) = plt.subplots(1, 2, figsize=(10.0, 3.6), dpi=100)
+    for label, constraint, style in (("as written", 1, "o-"), ("corrected", 0, "s-")):
+        table = run(vtkSphericalStyleFilter(), surface, {
+            "Roundness": roundness, "CenterConstraint": constraint, **nonlinear, **thirty,
+        }).GetOutputDataObject(1)
+        total, change = (numpy_support.vtk_to_numpy(table.GetColumnByName(column))
+                         for column in ("Total", "GlobalChange"))
+        for axes, first, values, rises in ((total_axes, 1, total, np.diff(total)),
+                                           (change_axes, 2, change, change[1:])):
+            iteration = np.arange(len(values))
+            line, = axes.plot(iteration[first:], values[first:], style, markersize=3, label=label)
+            up = np.flatnonzero(rises > 1e-12 * total[0]) + 1
+            up = up[up >= first]
+            axes.plot(iteration[up], values[up], "o", color="red", markersize=7, fillstyle="none")
+    total_axes.set(xlabel="iteration", ylabel="energy after the iteration")
+    change_axes.set(xlabel="iteration", ylabel="change of the energy by the global step")
+    change_axes.set_yscale("symlog", linthresh=1e-3 * total[0])
+    change_axes.axhline(0.0, color="black", linewidth=0.8)
+    total_axes.legend()
+    figure.tight_layout()
+    figure.savefig(HERE / "pictures" / name)
+    quantize(HERE / "pictures" / name)
+
+
+energy_plot("nonlinear-energy.png", demo.read(ROOT / "Data" / "stone-house.vtp"), 0.1)
 
 # --------------------------------------------------------------------------------- ConvexProxyDeform
 car = demo.read(ROOT / "Data" / "car.vtp")

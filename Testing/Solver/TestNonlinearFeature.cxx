@@ -640,7 +640,8 @@ double MeanCurvature(const Points& Q, const Triangles& F, int i, const Vector3d&
 
 /// Fig. 3.2 and section 3.6 on the go stone. After 30 iterations the poles are hollow, as printed,
 /// and the stone is the larger the larger lambda. Neither is a property of the minimum: there the
-/// poles bulge more than at rest, and with lambda the shape goes to a limit.
+/// poles bulge more than at rest, the stone is taller than wide, and with lambda the shape goes to
+/// a limit.
 void TestGoStone()
 {
   const TriangleMesh mesh = GoStone();
@@ -670,6 +671,10 @@ void TestGoStone()
               << "; diagonal, rest " << Meshes::Diagonal(mesh.P) << ", after 30 "
               << Meshes::Diagonal(after30.back()) << ", converged "
               << Meshes::Diagonal(converged.back()) << "\n";
+    // Points of like normals are asked to lie in like directions from o: the flat sides go outward.
+    const Eigen::RowVector3d size =
+      converged.back().colwise().maxCoeff() - converged.back().colwise().minCoeff();
+    CHECK(size(2) > 1.1 * size(0), "the flat stone should become a tall egg, its size is " << size);
     CHECK(early[0] < 0.0 && early[1] < 0.0, "poles after 30 iterations should be hollow");
     CHECK(late[0] > rest && late[1] > rest, "poles of the minimum should bulge");
   }
