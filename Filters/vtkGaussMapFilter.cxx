@@ -259,7 +259,7 @@ int vtkGaussMapFilter::RequestData(
 {
   using namespace SphericalStyle;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
-  Internals::Measure(this, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), 0);
+  Internals::Measure(this, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), 0); // of nothing
   if (!input || input->GetNumberOfPoints() == 0)
   {
     return 1;

@@ -61,7 +61,7 @@
  * regions of equal area and small diameter, ETNA 25 (2006). The label [gaussmap] in comments is
  * that of Filters/Documentation/GaussMap.md.
  *
- * Cost: a tenth of a microsecond per normal, and some milliseconds for the sphere.
+ * Cost: some tenths of a microsecond per face, and twenty milliseconds for the sphere.
  *
  * @sa vtkSphericalStyleFilter
  */

@@ -17,6 +17,8 @@ from vtkmodules.util import numpy_support
 from vtkmodules.vtkFiltersCore import vtkThreshold
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
+from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper
+
 matplotlib.use("Agg")
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -25,7 +27,7 @@ sys.path.insert(0, str(ROOT / "Utilities"))
 
 import demo  # noqa: E402, the demo's pictures look the same
 from sphericalstyle import (  # noqa: E402
-    vtkConvexProxyDeformFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics)
+    vtkConvexProxyDeformFilter, vtkGaussMapFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics)
 
 
 def run(deform, surface, properties):
@@ -58,11 +60,12 @@ def quantize(file):
     Image.open(file).convert("RGB").quantize(128).save(file, optimize=True)
 
 
-def picture(name, size, panels, view, points):
+def picture(name, size, panels, view, points, few_colors=True, **options):
     if wanted(name):
         file = HERE / "pictures" / name
-        demo.picture(file, size, panels, "y", view, points)
-        quantize(file)
+        demo.picture(file, size, panels, "y", view, points, **options)
+        if few_colors:
+            quantize(file)
 
 
 creature = demo.read(ROOT / "Data" / "creature.vtp")
@@ -266,3 +269,52 @@ picture("self-intersections.png", (1200, 420), [[
     with_intersections("NormalBlend 1, Flip", NormalBlend=1.0, ConcaveEdges=1),
     with_intersections("NormalBlend 0"),
 ]], 25.0, 14)
+
+# ------------------------------------------------------------------------------------------ GaussMap
+BLUE, YELLOW, RED = (0.16, 0.27, 0.62), (0.98, 0.84, 0.20), (0.80, 0.12, 0.10)
+
+
+def painted(sphere, array, often):
+    """Blue where there are no normals, yellow where there are some, red from `often` on."""
+    colors = vtkColorTransferFunction()
+    if array == "Count":  # whole numbers: no shades between none and one
+        colors.AddRGBPoint(0.0, *BLUE)
+        colors.AddRGBPoint(0.5, *BLUE)
+        colors.AddRGBPoint(0.51, *YELLOW)
+    else:
+        colors.AddRGBPoint(0.0, *BLUE)
+        colors.AddRGBPoint(0.5, *YELLOW)
+    colors.AddRGBPoint(1.0, *YELLOW)
+    colors.AddRGBPoint(often, *RED)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(sphere)
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray(array)
+    mapper.SetLookupTable(colors)
+    mapper.UseLookupTableScalarRangeOn()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetAmbient(0.35)
+    actor.GetProperty().SetDiffuse(0.70)
+    actor.SetScale(0.37)
+    return actor
+
+
+def gauss_panels(surface, label):
+    """A column: the surface, its equal-angle counts, its equal-area density."""
+    gauss = run(vtkGaussMapFilter(), surface, {"OftenThreshold": 5.0})
+    angle = painted(gauss.GetOutput(), "Count", 6.0)
+    hit = f"{gauss.GetUnitsHit()} units hit, {gauss.GetUnitsHitOften()} often"
+    gauss = run(vtkGaussMapFilter(), surface, {"SphereUnits": 1, "AreaWeighted": True,
+                                               "NumberOfEqualAreaUnits": 500})
+    area = painted(gauss.GetOutput(), "Density", 4.0)
+    model = demo.actor_of(surface)
+    model.SetScale(1.0 / surface.GetLength())
+    return [(model, label), (angle, hit), (area, f"distance {gauss.GetDistanceToUniform():.2f}")]
+
+
+columns = [gauss_panels(surface, label) for surface, label in (
+    (cube, "cube"), (creature, "creature"), (rounded(creature, Roundness=0.5), "Roundness 0.5"),
+    (rounded(creature, Roundness=5.0), "Roundness 5"))]
+picture("gauss-map.png", (800, 620), list(zip(*columns)), 25.0, 12, few_colors=False,
+        make_actor=lambda actor: actor)
