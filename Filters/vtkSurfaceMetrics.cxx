@@ -66,6 +66,7 @@ double Rms(const Eigen::VectorXd& x)
   return x.size() > 0 ? std::sqrt(x.squaredNorm() / static_cast<double>(x.size())) : 0.0;
 }
 
+#ifdef SPHERICALSTYLE_WITH_CGAL
 /// Triangles that a pair names.
 vtkIdType CountTriangles(const Pairs& pairs)
 {
@@ -77,6 +78,7 @@ vtkIdType CountTriangles(const Pairs& pairs)
   std::sort(triangles.begin(), triangles.end());
   return std::unique(triangles.begin(), triangles.end()) - triangles.begin();
 }
+#endif
 }
 
 //------------------------------------------------------------------------------------------------

@@ -51,7 +51,7 @@ public:
         return CGAL::do_intersect(this->Triangle(f), this->Opposite(g, inG[0])) ||
           CGAL::do_intersect(this->Triangle(g), this->Opposite(f, inF[0]));
       case 2: // overlapping in one plane, folded onto each other
-        return this->OnOneSide(this->Corner(f, inF[0]), this->Corner(f, inF[1]),
+        return OnOneSide(this->Corner(f, inF[0]), this->Corner(f, inF[1]),
           this->Corner(f, 3 - inF[0] - inF[1]), this->Corner(g, 3 - inG[0] - inG[1]));
       default: // the same triangle twice
         return true;

@@ -74,8 +74,9 @@ std::vector<char> TurnedOver(
     const Eigen::Vector3d after = normal(Q, f);
     const Eigen::Vector3d turned =
       (rotations[F(f, 0)] + rotations[F(f, 1)] + rotations[F(f, 2)]) * before.stableNormalized();
-    turnedOver[f] = after.stableNorm() > NoArea * before.stableNorm() &&
+    const bool over = after.stableNorm() > NoArea * before.stableNorm() &&
       turned.dot(after.stableNormalized()) < 0.0;
+    turnedOver[f] = over ? 1 : 0;
   }
   return turnedOver;
 }
