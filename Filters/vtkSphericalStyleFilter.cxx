@@ -4,21 +4,17 @@
 
 #include "NonlinearFeature.h"
 #include "vtkFilterSupport.h"
+#include "vtkStyleHistory.h"
 #include "vtkSurfaceMeshConversion.h"
 #include "vtkSurfaceRegion.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -169,54 +165,6 @@ Points GatherNormals(
     normals.row(i) = normals.row(i).stableNormalized();
   }
   return normals;
-}
-
-/// The history as rows; how long each stage took and what solved the system as field data.
-void FillHistory(vtkTable* table, const SphericalStyle::StyleReport& report)
-{
-  using Row = SphericalStyle::HistoryRow;
-  vtkNew<vtkIntArray> iteration;
-  iteration->SetName("Iteration");
-  for (const Row& row : report.loop.history)
-  {
-    iteration->InsertNextValue(row.iteration);
-  }
-  table->AddColumn(iteration);
-  const auto add = [&](const char* name, double (*value)(const Row&))
-  {
-    vtkNew<vtkDoubleArray> column;
-    column->SetName(name);
-    for (const Row& row : report.loop.history)
-    {
-      column->InsertNextValue(value(row));
-    }
-    table->AddColumn(column);
-  };
-  add("Total", [](const Row& r) { return r.energy.Total(); });
-  add("Rigid", [](const Row& r) { return r.energy.rigid; });
-  add("Spherical", [](const Row& r) { return r.energy.spherical; });
-  add("LocalChange", [](const Row& r) { return r.localChange; });
-  add("GlobalChange", [](const Row& r) { return r.globalChange; });
-  add("Residual", [](const Row& r) { return r.residual; });
-  add("Gap", [](const Row& r) { return r.gap; });
-
-  const SphericalStyle::StageSeconds& s = report.seconds;
-  AddStageSeconds(table->GetFieldData(),
-    { { "Base", s.base }, { "Weights", s.weights }, { "Analyze", s.analyze },
-      { "Factor", s.factor }, { "Iterate", s.iterate } });
-  vtkNew<vtkStringArray> solver;
-  solver->SetName("LinearSolver");
-  solver->InsertNextValue(report.linearSolver);
-  table->GetFieldData()->AddArray(solver);
-  vtkNew<vtkDoubleArray> spheres;
-  spheres->SetName("Spheres");
-  spheres->SetNumberOfComponents(4);
-  for (const SphericalStyle::Sphere& sphere : report.spheres)
-  {
-    spheres->InsertNextTuple4(
-      sphere.center.x(), sphere.center.y(), sphere.center.z(), sphere.radius);
-  }
-  table->GetFieldData()->AddArray(spheres);
 }
 }
 
@@ -383,22 +331,9 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
   const vtkSurfaceMesh& surface, const SphericalStyle::StyleReport& report)
 {
   const auto warn = [self](const std::string& text) { vtkWarningWithObjectMacro(self, << text); };
-  const bool solved = surface.Mesh.F.rows() > 0;
-  if (!solved)
+  for (const std::string& remark : vtkSurfaceMeshConversion::Remarks(surface))
   {
-    warn("the input has no triangle with an area: nothing moves");
-  }
-  if (surface.FannedPolygons > 0)
-  {
-    warn("cut " + Count(surface.FannedPolygons, "polygon") +
-      " that cannot be triangulated as fans, the first is cell " +
-      std::to_string(surface.FirstFannedPolygon));
-  }
-  if (surface.DegenerateTriangles > 0)
-  {
-    warn("skipped " + Count(surface.DegenerateTriangles, "degenerate triangle") +
-      ", the first in cell " + std::to_string(surface.FirstDegenerateCell) +
-      "; points of no other triangle stay in place");
+    warn(remark);
   }
   if (!report.pointsOnCenter.empty())
   {
@@ -407,10 +342,9 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
       std::to_string(surface.FirstInputPoint(report.pointsOnCenter.front())) +
       "; the mean of the neighbours' directions is taken");
   }
-  if (solved && !report.loop.converged && !report.loop.aborted)
+  if (surface.Mesh.F.rows() > 0 && !report.loop.converged && !report.loop.aborted)
   {
-    warn("not converged after " + std::to_string(report.loop.iterations) +
-      " iterations; raise MaximumNumberOfIterations or Tolerance");
+    warn(vtkStyleHistory::NotConverged(report));
   }
 }
 
@@ -600,7 +534,7 @@ int vtkSphericalStyleFilter::RequestData(
   vtkSurfaceMeshConversion::ReplacePoints(
     output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);
   this->Internal->AttachArrays(this, surface, regionWeights, input, output);
-  FillHistory(history, report);
+  vtkStyleHistory::Fill(history, report, "Spherical");
   Internals::Warn(this, surface, report);
   if (this->Feature == NONLINEAR && Q.rows() > 0)
   {

@@ -3,6 +3,7 @@
 #include "vtkSurfaceMeshConversion.h"
 
 #include "SurfaceMeasures.h"
+#include "vtkFilterSupport.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -443,6 +444,29 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
     }
   }
   return surface;
+}
+
+std::vector<std::string> Remarks(const vtkSurfaceMesh& surface)
+{
+  std::vector<std::string> remarks;
+  if (surface.Mesh.F.rows() == 0)
+  {
+    remarks.emplace_back("the input has no triangle with an area: nothing moves");
+  }
+  if (surface.FannedPolygons > 0)
+  {
+    remarks.push_back("cut " + vtkFilterSupport::Count(surface.FannedPolygons, "polygon") +
+      " that cannot be triangulated as fans, the first is cell " +
+      std::to_string(surface.FirstFannedPolygon));
+  }
+  if (surface.DegenerateTriangles > 0)
+  {
+    remarks.push_back("skipped " +
+      vtkFilterSupport::Count(surface.DegenerateTriangles, "degenerate triangle") +
+      ", the first in cell " + std::to_string(surface.FirstDegenerateCell) +
+      "; points of no other triangle stay in place");
+  }
+  return remarks;
 }
 
 vtkDataArray* FindPointArray(

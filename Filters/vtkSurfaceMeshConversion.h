@@ -8,6 +8,7 @@
 #include "StyleSolver.h" // for the types of the solver
 #include "vtkType.h"     // for vtkIdType
 
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -54,6 +55,9 @@ enum class TakePoints
 ///        points
 vtkSurfaceMesh FromPolyData(
   vtkPolyData* input, bool weld, TakePoints take = TakePoints::OfTriangles);
+
+/// What was left out or repaired, in words for warnings.
+std::vector<std::string> Remarks(const vtkSurfaceMesh& surface);
 
 /// What a point array must be like.
 struct ArrayRule

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkStyleHistory.h"
+
+#include "vtkFilterSupport.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+namespace vtkStyleHistory
+{
+void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char* secondTerm)
+{
+  using Row = SphericalStyle::HistoryRow;
+  vtkNew<vtkIntArray> iteration;
+  iteration->SetName("Iteration");
+  for (const Row& row : report.loop.history)
+  {
+    iteration->InsertNextValue(row.iteration);
+  }
+  table->AddColumn(iteration);
+  const auto add = [&](const char* name, double (*value)(const Row&))
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    for (const Row& row : report.loop.history)
+    {
+      column->InsertNextValue(value(row));
+    }
+    table->AddColumn(column);
+  };
+  add("Total", [](const Row& r) { return r.energy.Total(); });
+  add("Rigid", [](const Row& r) { return r.energy.rigid; });
+  add(secondTerm, [](const Row& r) { return r.energy.spherical; });
+  add("LocalChange", [](const Row& r) { return r.localChange; });
+  add("GlobalChange", [](const Row& r) { return r.globalChange; });
+  add("Residual", [](const Row& r) { return r.residual; });
+  add("Gap", [](const Row& r) { return r.gap; });
+
+  const SphericalStyle::StageSeconds& s = report.seconds;
+  vtkFilterSupport::AddStageSeconds(table->GetFieldData(),
+    { { "Base", s.base }, { "Weights", s.weights }, { "Analyze", s.analyze },
+      { "Factor", s.factor }, { "Iterate", s.iterate } });
+  vtkNew<vtkStringArray> solver;
+  solver->SetName("LinearSolver");
+  solver->InsertNextValue(report.linearSolver);
+  table->GetFieldData()->AddArray(solver);
+  vtkNew<vtkDoubleArray> spheres;
+  spheres->SetName("Spheres");
+  spheres->SetNumberOfComponents(4);
+  for (const SphericalStyle::Sphere& sphere : report.spheres)
+  {
+    spheres->InsertNextTuple4(
+      sphere.center.x(), sphere.center.y(), sphere.center.z(), sphere.radius);
+  }
+  table->GetFieldData()->AddArray(spheres);
+}
+
+std::string NotConverged(const SphericalStyle::StyleReport& report)
+{
+  return "not converged after " + std::to_string(report.loop.iterations) +
+    " iterations; raise MaximumNumberOfIterations or Tolerance";
+}
+}

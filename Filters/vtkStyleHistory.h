@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a filter tells of the iteration of a style: the table of its energy. Private.
+#ifndef vtkStyleHistory_h
+#define vtkStyleHistory_h
+
+#include "StyleSolver.h" // for StyleReport
+
+#include <string>
+
+class vtkTable;
+
+namespace vtkStyleHistory
+{
+/// The history as rows; how long each stage took, what solved the system and the spheres (center
+/// and radius) as field data.
+/// @param secondTerm  name of the column of the term beside the rigid one
+void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char* secondTerm);
+
+/// The warning for a loop that ended without meeting its stop rule.
+std::string NotConverged(const SphericalStyle::StyleReport& report);
+}
+
+#endif
