@@ -85,25 +85,29 @@ void CheckOptions(const StyleOptions& o, int n)
     o.centerBlend >= 0.0 && std::isfinite(o.centerBlend), "the center blend must be 0 or more");
 }
 
-/// Lets LocalGlobal run the two steps of StyleEnergy.
+/// Lets LocalGlobal run the two steps of StyleEnergy, with a further term in the local one or
+/// nullptr.
 class LinearFeature : public TwoStepEnergy
 {
 public:
   LinearFeature(StyleEnergy& energy, GlobalStep& global, Matrices& R, const Points& P,
-    const Points& restMeans, Anchor anchor)
+    const Points& restMeans, Anchor anchor, LocalTerm* term)
     : Energy(energy)
     , Global(global)
     , R(R)
     , P(P)
     , RestMeans(restMeans)
     , Anchored(anchor)
+    , Term(term)
   {
   }
 
   double FitLocal(const Points& Q) override
   {
     this->Energy.Covariances(Q, this->S);
-    return FitRotations(this->S, this->R, this->Energy.GetThreads());
+    const int threads = this->Energy.GetThreads();
+    return this->Term ? this->Term->Fit(this->S, this->R, threads)
+                      : FitRotations(this->S, this->R, threads);
   }
 
   void SolveGlobal(Points& Q) override
@@ -113,7 +117,12 @@ public:
     this->MoveComponents(Q);
   }
 
-  EnergyTerms Evaluate(const Points& Q) const override { return this->Energy.Evaluate(Q, this->R); }
+  EnergyTerms Evaluate(const Points& Q) const override
+  {
+    EnergyTerms terms = this->Energy.Evaluate(Q, this->R);
+    terms.spherical += this->Term ? this->Term->Evaluate(this->R) : 0.0;
+    return terms;
+  }
 
   /// Puts the anchor of every component back where it was; components with a fixed point stay.
   void MoveComponents(Points& Q) const
@@ -150,6 +159,7 @@ private:
   const Points& P;
   const Points& RestMeans;
   Anchor Anchored;
+  LocalTerm* Term;
   Matrices S;
   Points B;
 };
@@ -440,12 +450,17 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   s.BuildEnergy(options, report);
   s.UpdateGlobal(options.fixedPoints);
   s.StartFromRest(options);
-  LinearFeature problem(s.Energy, s.Global, s.R, s.P, s.RestMeans, options.anchor);
-  double restEnergy = s.Energy.Evaluate(s.P, s.R).Total();
+  LinearFeature problem(
+    s.Energy, s.Global, s.R, s.P, s.RestMeans, options.anchor, options.localTerm.get());
+  if (options.localTerm)
+  {
+    options.localTerm->SetMesh(s.P, s.Given.F);
+  }
+  double restEnergy = problem.Evaluate(s.P).Total();
 
   // Without details the blend is not only the start but the minimum, as long as the weights are
   // positive semidefinite in every triangle: nothing needs to be solved.
-  const bool fromBlend = options.initialGuess == InitialGuess::Blend;
+  const bool fromBlend = options.initialGuess == InitialGuess::Blend && !options.localTerm;
   const bool closedForm = fromBlend && s.IsClosedForm(options, report);
   report.closedForm = closedForm && options.detailSize == 0.0 &&
     options.edgeWeighting == EdgeWeighting::HalfEdge &&
@@ -465,7 +480,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     // Held points can lie anywhere: what is to be gained is then measured from the blend too.
     Points blend = s.Q;
     problem.SolveGlobal(blend);
-    restEnergy = std::max(restEnergy, s.Energy.Evaluate(blend, s.R).Total());
+    restEnergy = std::max(restEnergy, problem.Evaluate(blend).Total());
   }
   if (closedForm)
   {

@@ -7,6 +7,7 @@
 
 #include "GlobalStep.h"
 #include "LocalGlobal.h"
+#include "LocalTerm.h"
 #include "TargetDirections.h"
 
 #include <memory>
@@ -53,6 +54,10 @@ struct StyleOptions
   std::vector<int> centerIds; ///< n, 0..K-1: the center that a point follows; none: one for all
   Points centers;             ///< K x 3, replace what centerMode gives; not for one center
   double centerBlend = 0.0;   ///< fraction of the diagonal over which centers pass into each other
+
+  /// Another style in the local step; with lambda = 0 it is the whole style. Starts from rest: the
+  /// blend is not near its minimum. Counts as the second term of the history.
+  std::shared_ptr<LocalTerm> localTerm;
 };
 
 /// The method of the thesis to the letter: the options with everything else overridden.
@@ -111,7 +116,7 @@ public:
   const Points& GetPositions() const;      ///< P', n x 3, model units
   const Points& GetDirections() const;     ///< t, n x 3
   const Matrices& GetRotations() const;    ///< R, n, rest to deformed
-  Eigen::VectorXd GetCellEnergies() const; ///< n, length^2
+  Eigen::VectorXd GetCellEnergies() const; ///< n, length^2, without a local term
 
 private:
   class State;
