@@ -289,6 +289,17 @@ inline TriangleMesh Box(int k, const Vector& half = { 1, 1, 1 })
   return Make(points, triangles);
 }
 
+/// A box of half edge 1 with every point `share` of the way to the unit sphere.
+inline TriangleMesh RoundedBox(int k, double share)
+{
+  TriangleMesh mesh = Box(k);
+  for (int i = 0; i < mesh.P.rows(); ++i)
+  {
+    mesh.P.row(i) *= 1.0 - share + share / mesh.P.row(i).norm();
+  }
+  return mesh;
+}
+
 /// A house: a pentagon swept along y, its slices sheared so far that most wall triangles are
 /// obtuse; the gables are fans. (10 * slices + 2) points.
 inline TriangleMesh House(int slices = 5)
