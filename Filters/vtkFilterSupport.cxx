@@ -27,10 +27,8 @@ void Require(bool good, const char* name, const char* must, double value)
   }
 }
 
-void RequireTarget(double roundness, const double* center, const double* radius)
+void RequireSphere(const double* center, const double* radius)
 {
-  Require(
-    std::isfinite(roundness) && roundness >= 0.0, "Roundness", "finite and 0 or more", roundness);
   if (radius)
   {
     Require(std::isfinite(*radius) && *radius > 0.0, "Radius", "finite and above 0", *radius);
@@ -39,6 +37,13 @@ void RequireTarget(double roundness, const double* center, const double* radius)
   {
     Require(std::isfinite(center[k]), "Center", "finite", center[k]);
   }
+}
+
+void RequireTarget(double roundness, const double* center, const double* radius)
+{
+  Require(
+    std::isfinite(roundness) && roundness >= 0.0, "Roundness", "finite and 0 or more", roundness);
+  RequireSphere(center, radius);
 }
 
 void AddStageSeconds(vtkFieldData* data, const std::vector<std::pair<const char*, double>>& stages)

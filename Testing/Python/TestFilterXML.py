@@ -20,6 +20,30 @@ VTK_INT_MAX = 2**31 - 1
 # What the class does not tell. known, enumerations: some properties that it certainly has, for
 # without them the comparisons would hold of nothing; inputs, outputs and arrays in the order of their numbers.
 FILTERS = {
+    "CubicStyleFilter": {
+        "label": "Cubic Style",
+        "known": {"Cubeness", "GenerateNormals", "StopRule"},
+        "enumerations": {"StopRule", "OutputPointsPrecision"},
+        "inputs": ["Input"],
+        "outputs": ["Cubic", "Energy"],
+        "arrays": [],
+    },
+    "NormalAnalogyFilter": {
+        "label": "Normal Analogy",
+        "known": {"Style", "Weight", "GenerateTargetNormal", "StopRule"},
+        "enumerations": {"Style", "StopRule", "OutputPointsPrecision"},
+        "inputs": ["Input", "StyleMesh"],
+        "outputs": ["Deformed", "Energy"],
+        "arrays": [],
+    },
+    "SphereProjectionFilter": {
+        "label": "Sphere Projection",
+        "known": {"Coefficient", "Center", "RadiusMode"},
+        "enumerations": {"CenterMode", "RadiusMode", "OutputPointsPrecision"},
+        "inputs": ["Input"],
+        "outputs": ["Deformed"],
+        "arrays": [],
+    },
     "SphericalStyleFilter": {
         "label": "Spherical Style",
         "known": {"Roundness", "Center", "GenerateRotation", "StopRule"},
@@ -55,8 +79,9 @@ FILTERS = {
     },
 }
 # Not clamped in C++ (a bad value is an error that names it): range of the panel.
-UNCLAMPED = {"Roundness": (0.0, 10.0), "Radius": (0.0, None), "TanhSteepness": (0.1, 10.0),
-             "AxisGain": (0.0, None), "OftenThreshold": (0.0, None)}
+UNCLAMPED = {"Roundness": (0.0, 10.0), "Cubeness": (0.0, 10.0), "Weight": (0.0, 10.0),
+             "Radius": (0.0, None), "TanhSteepness": (0.1, 10.0), "AxisGain": (0.0, None),
+             "OftenThreshold": (0.0, None)}
 # The one enumeration without a setter for each entry: it is VTK's.
 PRECISIONS = ["Single", "Double", "Default"]
 

@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin loads, its proxy runs with every style, the style mesh comes and goes, and outputs and
+facts arrive.
+
+usage: pvpython TestNormalAnalogyFilterProxy.py SphericalStyle.so FOLDER_FOR_A_STATE
+"""
+import math
+import os
+import sys
+
+from paraview import servermanager
+from paraview.simple import *
+from paraview.modules.vtkRemotingViews import vtkSMParaViewPipelineControllerWithRendering
+
+import sphericalstyle  # gives the C++ object behind the proxy its methods
+
+LoadPlugin(sys.argv[1], remote=False, ns=globals())
+
+
+def update(proxy):
+    UpdatePipeline(proxy=proxy)
+    proxy.UpdatePipelineInformation()
+
+
+def bounds(proxy):
+    return proxy.GetDataInformation().GetBounds()
+
+
+def arrays(proxy):
+    data = servermanager.Fetch(proxy).GetPointData()
+    return {data.GetArrayName(k): data.GetArray(k).GetNumberOfComponents()
+            for k in range(data.GetNumberOfArrays())}
+
+
+def check_entries(proxy, names):
+    """Each entry of each enumeration reaches C++ and runs."""
+    for name in names:
+        in_cxx = getattr(proxy.SMProxy.GetClientSideObject(), "Get" + name)
+        entries = list(proxy.GetProperty(name).GetAvailable())
+        assert len(entries) > 1, (name, entries)
+        default = entries[in_cxx()]
+        for value, entry in enumerate(entries):
+            proxy.SetPropertyWithName(name, entry)
+            update(proxy)
+            assert in_cxx() == value, (name, entry, in_cxx())
+            assert all(map(math.isfinite, bounds(proxy))), (name, entry)
+        proxy.SetPropertyWithName(name, default)
+
+
+sphere = Sphere(ThetaResolution=32, PhiResolution=32)
+model = Calculator(Input=sphere, Function="coordsX*iHat + coordsY*jHat + 2*coordsZ*kHat",
+                   CoordinateResults=1)
+UpdatePipeline(proxy=model)
+n = model.GetDataInformation().GetNumberOfPoints()
+
+# ----------------------------------------------------------------- defaults, as the panel gets them
+analogy = NormalAnalogy(Input=model)
+assert analogy.Style == "Cube" and analogy.Weight == 1.0 and analogy.StyleMesh is None
+assert analogy.StopRule == "Converged" and analogy.Tolerance == 0.0001
+update(analogy)
+assert servermanager.Fetch(analogy).GetNumberOfPoints() == n
+assert arrays(analogy) == {"Normals": 3, "Displacement": 3, "TargetNormal": 3}, arrays(analogy)
+assert analogy.GetPropertyValue("NumberOfStyleNormals") == 6
+
+# ---------------------------------------------------------------- facts of the execution, the table
+fact = analogy.GetPropertyValue
+filter_ = analogy.SMProxy.GetClientSideObject()
+assert fact("NumberOfIterations") == filter_.GetNumberOfIterations() > 0
+assert fact("Converged") == 1, fact("Converged")
+assert fact("FinalEnergy") == filter_.GetFinalEnergy() > 0.0
+table = servermanager.Fetch(analogy, idx=1)
+assert table.GetClassName() == "vtkTable"
+assert table.GetNumberOfRows() == fact("NumberOfIterations") + 1
+assert table.GetColumnByName("Analogy") is not None
+controller = vtkSMParaViewPipelineControllerWithRendering()
+assert controller.ShowInPreferredView(analogy.SMProxy, 1, None) is None
+assert not GetViews(), "a view opened for the energy table"
+
+# ------------------------------------------------------------------------------------------ styles
+shapes = {}
+for style, normals in (("Tetrahedron", 4), ("Cube", 6), ("Octahedron", 8), ("Icosahedron", 20),
+                       ("Dodecahedron", 12)):
+    analogy.Style = style
+    update(analogy)
+    assert analogy.GetPropertyValue("NumberOfStyleNormals") == normals, style
+    shapes[bounds(analogy)] = style
+assert len(shapes) == 5, shapes
+cube_bounds = next(b for b, style in shapes.items() if style == "Cube")
+analogy.Style = "Mesh"
+analogy.StyleMesh = Box(XLength=3.0)
+update(analogy)
+assert analogy.GetPropertyValue("NumberOfStyleNormals") == 6
+assert max(abs(a - b) for a, b in zip(bounds(analogy), cube_bounds)) < 1e-6
+analogy.StyleMesh = None
+errors = []
+filter_.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+filter_.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+UpdatePipeline(proxy=analogy)
+assert errors, "Style Mesh without a mesh should be an error"
+analogy.StyleMesh = Box(registrationName="MyBox", YLength=2.0)
+check_entries(analogy, ("Style", "StopRule", "OutputPointsPrecision"))
+
+# ------------------------------------------------------------------------------------------ state
+RenameSource("Kept", analogy)
+update(analogy)
+kept_bounds = bounds(analogy)
+state = os.path.join(sys.argv[2], "TestNormalAnalogyFilterProxy.pvsm")
+SaveState(state)
+ResetSession()
+LoadState(state)
+kept = FindSource("Kept")
+update(kept)
+assert kept.Style == "Mesh" and kept.StyleMesh is not None
+assert bounds(kept) == kept_bounds, (bounds(kept), kept_bounds)
