@@ -16,7 +16,7 @@ from PIL import Image
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkFiltersCore import vtkThreshold
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
-
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper
 
 matplotlib.use("Agg")
@@ -27,7 +27,8 @@ sys.path.insert(0, str(ROOT / "Utilities"))
 
 import demo  # noqa: E402, the demo's pictures look the same
 from sphericalstyle import (  # noqa: E402
-    vtkConvexProxyDeformFilter, vtkGaussMapFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics)
+    vtkConvexProxyDeformFilter, vtkCubicStyleFilter, vtkGaussMapFilter, vtkNormalAnalogyFilter,
+    vtkSphereProjectionFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics)
 
 
 def run(deform, surface, properties):
@@ -45,6 +46,18 @@ def rounded(surface, **properties):
 
 def proxied(surface, **properties):
     return run(vtkConvexProxyDeformFilter(), surface, properties).GetOutput()
+
+
+def cubic(surface, **properties):
+    return run(vtkCubicStyleFilter(), surface, properties).GetOutput()
+
+
+def analogy(surface, **properties):
+    return run(vtkNormalAnalogyFilter(), surface, properties).GetOutput()
+
+
+def on_sphere(surface, **properties):
+    return run(vtkSphereProjectionFilter(), surface, properties).GetOutput()
 
 
 def projection_lines(surface, **properties):
@@ -224,25 +237,11 @@ picture("head.png", (1100, 700), [[
     (round_head(2), "head, Quadratic", None, view),
 ] for view in (25.0, 100.0)], 25.0, 14)
 
-
-def outer_sphere(surface, t):
-    """Each point on its way to the sphere around the model (thesis 4.6.1)."""
-    points = numpy_support.vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
-    center = points.mean(axis=0)
-    offset = points - center
-    length = np.linalg.norm(offset, axis=1)[:, None]
-    moved = center + (t + (1.0 - t) * length.max() / length) * offset
-    result = surface.NewInstance()
-    result.DeepCopy(surface)
-    result.GetPoints().SetData(numpy_support.numpy_to_vtk(moved, deep=True))
-    return result
-
-
 picture("house.png", (1200, 330), [[
     (house, "model"),
     (proxied(house), "proxy, t = 0.5"),
     (proxied(house, Projection=2), "proxy, Smallest Angle"),
-    (outer_sphere(house, 0.5), "sphere around the model, t = 0.5"),
+    (on_sphere(house, Coefficient=0.5), "sphere around the model, t = 0.5"),
 ]], 25.0, 13)
 
 # ------------------------------------------------------------------------------------ SurfaceMetrics
@@ -318,3 +317,37 @@ columns = [gauss_panels(surface, label) for surface, label in (
     (rounded(creature, Roundness=5.0), "Roundness 5"))]
 picture("gauss-map.png", (800, 620), list(zip(*columns)), 25.0, 12, few_colors=False,
         make_actor=lambda actor: actor)
+
+# -------------------------------------------------------------------------------------- comparators
+ours = (rounded(creature, Roundness=0.5, DetailSize=0.03), "Spherical Style, Roundness 0.5")
+
+picture("cubic-style.png", (1200, 300), [[(creature, "model"), ours] + [
+    (cubic(creature, Cubeness=cubeness, StopRule=vtkCubicStyleFilter.FIXED_ITERATIONS,
+           MaximumNumberOfIterations=100), f"Cubeness {cubeness:g}")
+    for cubeness in (0.1, 0.5, 2.0)
+]], 25.0, 12)
+
+ball = vtkSphereSource()
+ball.SetThetaResolution(24)
+ball.SetPhiResolution(16)
+ball.Update()
+picture("normal-analogy.png", (1200, 560), [[
+    (creature, "model"),
+    ours,
+    (analogy(creature, Weight=10.0, Style=vtkNormalAnalogyFilter.TETRAHEDRON), "Tetrahedron"),
+], [
+    (analogy(creature, Weight=10.0, Style=vtkNormalAnalogyFilter.CUBE), "Cube"),
+    (analogy(creature, Weight=10.0, Style=vtkNormalAnalogyFilter.ICOSAHEDRON), "Icosahedron"),
+    (analogy(creature, Weight=10.0, Style=vtkNormalAnalogyFilter.MESH,
+             StyleMeshData=ball.GetOutput()), "Mesh: a sphere of 672 triangles"),
+]], 25.0, 13)
+
+picture("sphere-projection.png", (1200, 300), [[
+    (creature, "model"),
+    ours,
+    (on_sphere(creature), "Outer, Coefficient 0.5"),
+    (on_sphere(creature, RadiusMode=vtkSphereProjectionFilter.EQUAL_AREA),
+     "Equal Area, Coefficient 0.5"),
+    (on_sphere(creature, RadiusMode=vtkSphereProjectionFilter.EQUAL_AREA, Coefficient=0.9),
+     "Equal Area, Coefficient 0.9"),
+]], 25.0, 12)
