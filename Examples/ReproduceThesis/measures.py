@@ -88,7 +88,7 @@ def cell_energies(P, Q, term):
 
 
 def rigid_deformation(P, term, held, positions, iterations):
-    """Energies of as-rigid-as-possible iterations with held points, by dense matrices."""
+    """As-rigid-as-possible iterations with held points, by dense matrices: energies, last points."""
     cell, u, v, weight = term
     count = len(P)
     L = np.zeros((count, count))
@@ -105,7 +105,7 @@ def rigid_deformation(P, term, held, positions, iterations):
         pull = weight[:, None] * np.einsum("nij,nj->ni", R[cell], P[u] - P[v])
         b = scatter(u, pull, count) - scatter(v, pull, count)
         Q[free] = inverse @ (b[free] - L[np.ix_(free, held)] @ Q[held])
-    return np.array(history)
+    return np.array(history), Q
 
 
 def style_energy(P, Q, F, t, R, radius, roundness):
