@@ -20,7 +20,7 @@ matplotlib.rcParams.update({
 MARKERS_UP_TO = 12  # points; more would hide the line
 
 
-def write(path, series, x, y, logx, logy):
+def write(path, series, x, y, logx, logy, equal=False):
     """Draw {label: (xs, ys) or ys}, or {panel: {label: ...}}; returns the points as CSV rows."""
     panels = series if isinstance(next(iter(series.values())), dict) else {"": series}
     figure, all_axes = pyplot.subplots(1, len(panels), figsize=(max(5.6, 4.6 * len(panels)), 3.2),
@@ -43,6 +43,8 @@ def write(path, series, x, y, logx, logy):
             axes.set_xscale("log")
         if logy:
             axes.set_yscale("log")
+        if equal:
+            axes.set_aspect("equal", "datalim")
         if len(curves) > 1 or not title:
             axes.legend()
     figure.savefig(path, metadata={"Date": None})

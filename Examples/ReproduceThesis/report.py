@@ -131,11 +131,11 @@ class Section:
         pictures.write_image(self.folder / file, data)
         self._figure(file, name, caption)
 
-    def plot(self, name, series, x="", y="", logx=False, logy=False, caption=""):
+    def plot(self, name, series, x="", y="", logx=False, logy=False, equal=False, caption=""):
         """Curves. series: {label: (xs, ys)} or {label: ys} over 0, 1, 2, ...; a CSV comes along.
-        Or {panel title: {label: ...}} for panels side by side."""
+        Or {panel title: {label: ...}} for panels side by side. equal: one scale for x and y."""
         file = self._file("plots", name, ".svg")
-        lines = plots.write(self.folder / file, series, x, y, logx, logy)
+        lines = plots.write(self.folder / file, series, x, y, logx, logy, equal)
         data = self._csv(name, [x or "x", "series", y or "y"], lines)
         self._figure(file, name, caption, link=data)
 
