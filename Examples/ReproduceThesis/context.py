@@ -18,6 +18,7 @@ class Context:
     def __init__(self, size="full", models_folder=None):
         self.size = size
         self.models_folder = models_folder
+        self.read = set()  # names of the real models that experiments took
         self.model = functools.lru_cache(maxsize=None)(self._model)
 
     @property
@@ -42,6 +43,7 @@ class Context:
         for ending in demo.READERS:
             file = self.models_folder / f"{name}{ending}"
             if file.is_file():
+                self.read.add(name)
                 return demo.read(file)
         return None
 

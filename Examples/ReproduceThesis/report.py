@@ -306,7 +306,8 @@ th, td { border-bottom: 1px solid #ddd; padding: .22rem .7rem .22rem 0; text-ali
 thead th { border-bottom: 2px solid #888; }
 td.number { font-variant-numeric: tabular-nums; text-align: right; }
 .claims, .checks, .overview { width: 100%; }
-.claims th:first-child { width: 4rem; }
+.claims th:first-child, .overview th:first-child { width: 4rem; }
+.overview th:nth-child(2) { width: 45%; }
 .claims th:last-child, .overview th:last-child, .claims td:last-child, .overview td:last-child { white-space: nowrap; text-align: right;
   padding-right: 0; }
 figure { margin: 1.2rem 0; break-inside: avoid; }
@@ -361,11 +362,14 @@ INTRODUCTION = """
 <p>Every experiment and claim of chapters 2 to 5 of the doctoral thesis <i>Research of Spherical
 Style Deformation on Single Component Models</i>, run again with this project's filters, and the
 mistakes found in its formulas. The models of the thesis are not available; shapes made by code
-stand in for them unless a section names another. Where a section says "to the letter", the filter
-ran with <code>ReproduceThesis</code>; otherwise with its own defaults.</p>
-<p>Verdicts are computed from the numbers of this run: <i>holds</i> if every check of the row is
-met, <i>holds in part</i> if some are, <i>does not hold</i> if none is. <i>Not reproduced</i> names
-its reason, and <i>failed</i> is an experiment that broke off with a message.</p>
+stand in for them, and real models where a section names one. Where a section says "to the letter",
+the filter ran with <code>ReproduceThesis</code>; otherwise with its own defaults but for the
+settings named there.</p>
+<p>Each row below is one claim or experiment. Verdicts are computed from the numbers of this run:
+<i>holds</i> if every check of the row is met, <i>holds in part</i> if some are, <i>does not hold</i>
+if none is. Among the errata the claim is what the thesis says or implies, and <i>does not hold</i>
+confirms the mistake. <i>Not reproduced</i> names its reason, and <i>failed</i> is an experiment that
+broke off with a message.</p>
 """
 
 

@@ -108,7 +108,8 @@ def main():
     minutes = (time.perf_counter() - start) / 60.0
     report.write(arguments.output, sections, [
         ("Size", arguments.size),
-        ("Real models", "given" if arguments.models else "none (--models DIR)"),
+        ("Real models", ", ".join(sorted(context.read))
+         or ("none read" if arguments.models else "none (--models DIR)")),
         ("Time", f"{minutes:.1f} minutes, {os.cpu_count()} cores, {platform.machine()}"),
     ])
     print(f"{arguments.output / 'index.html'}, {minutes:.1f} minutes")
