@@ -3,8 +3,8 @@
 """Sections 4.6, 4.7 and 4.9: results with directions as targets, a = 0, and with blends."""
 import numpy as np
 
-from chapter4_normals import GROWTH, bunny, with_growth
-from common import METRICS, check_monotone, energy_plot, result_table
+from chapter4_normals import GROWTH, bunny, folded, with_growth
+from common import METRICS, check_monotone, result_table
 from measures import dot, edges, fit_sphere, length, ray_crossings
 from report import experiment
 from surfaces import array, columns, part, points, triangles, with_array
@@ -28,30 +28,40 @@ def show_series(section, context, surface, values, view=25.0, name="Results"):
                          surface, letter | default)
     errors = [context.metrics(surface)["FittedSphereError"]]
     check_monotone(section, errors + [found[label]["FittedSphereError"] for label in letter],
-                   f"{name}: the larger λ, the smaller the asphericity")
+                   _of(name, "the larger λ, the smaller the asphericity"))
     return letter | default, found
 
 
-def no_folds(section, found, name=""):
-    counts = {label: int(m["SelfIntersectingTriangles"]) for label, m in found.items()}
-    section.check(not any(counts.values()), f"{name + ': ' if name else ''}no triangles intersect",
-                  ", ".join(f"{label}: {count}" for label, count in counts.items()))
+def _of(name, statement):
+    return statement[0].upper() + statement[1:] if name == "Results" else f"{name}: {statement}"
+
+
+def no_folds(section, found, name="Results"):
+    """Returns whether it is so."""
+    some = {label: folded(m) for label, m in found.items() if folded(m)}
+    return section.check(not some, _of(name, "no triangles intersect"),
+                         ", ".join(f"{label}: {count}" for label, count in some.items())
+                         or f"0 in {len(found)} result{'s' * (len(found) > 1)}")
 
 
 @experiment("A4.28", title="The icosahedron again", where="4.6.1, Fig. 4.18", needs=METRICS,
             claim="With directions, λ = 5 gives an even mesh density, no overgrowth and no folds.")
 def icosahedron(section, context):
     surface = context.model("icosahedron")
-    runs = {f"a = {a:g}": context.thesis(surface, NormalBlend=a, Roundness=5.0) for a in (0.0, 1.0)}
+    runs = {f"a = {a:g}": context.thesis(surface, NormalBlend=a, Roundness=5.0)
+            for a in (0.0, 0.5, 1.0)}
     section.picture("Texture", [(surface, "model")] + [
         (run.GetOutput(), label) for label, run in runs.items()], array="TCoords")
     section.picture("Growth", [(with_growth(run.GetOutput(), surface), label)
                                for label, run in runs.items()], array="log2 area ratio", range=GROWTH)
     found = result_table(section, context, "Measures", surface, runs)
     spread = [m["AreaRatioSpread"] for m in found.values()]
-    section.check(spread[0] < 0.25 < spread[1], "Areas change evenly with a = 0 (area spread below "
-                  "0.25) and unevenly with a = 1 (above)", f"{spread[0]:.2f} and {spread[1]:.2f}; "
-                  "earlier measurement: 0.13 and 2.07")
+    section.table("Area spread", ["", "area spread", "earlier measurement"],
+                  list(zip(found, spread, (0.13, 0.73, 2.07))))
+    section.check(spread[0] < 0.25, "With a = 0 areas change evenly (area spread below 0.25)",
+                  f"{spread[0]:.2f}")
+    section.check(spread[0] < 0.25 * spread[2], "The area spread is less than a quarter of that with a = 1",
+                  f"{spread[0]:.2f} and {spread[2]:.2f}")
     no_folds(section, {"a = 0": found["a = 0"]})
 
 
@@ -63,6 +73,11 @@ def tetrahedron(section, context):
             ("stretched", context.model("flat-tetrahedron", scale=(1.8, 1.0, 0.3)))):
         _, found = show_series(section, context, surface, (0.1, 0.5, 5.0), 60.0, name)
         no_folds(section, found, name)
+        normals = context.metrics(context.thesis(surface, NormalBlend=1.0, Roundness=5.0).GetOutput(),
+                                  surface)
+        section.check(found["λ = 5"]["LargestAreaRatio"] < 0.5 * normals["LargestAreaRatio"],
+                      f"{name}: at λ = 5 the largest area ratio is less than half of that with normals",
+                      f"{found['λ = 5']['LargestAreaRatio']:.2f} and {normals['LargestAreaRatio']:.2f}")
 
 
 def edge_bulge(surface, result):
@@ -99,42 +114,68 @@ def cuboid(section, context):
                   "How far the middles of the upright edges stand out over their ends, over their "
                   "length; below 0 the edge bends inward")
     inward = [row[2] for row in rows]
-    section.check(min(inward) < 0.0, "To the letter some upright edge bends inward",
-                  ", ".join(f"{value:.4f}" for value in inward))
+    bent = section.check(min(inward) < 0.0, "To the letter some upright edge bends inward",
+                         ", ".join(f"{value:.4f}" for value in inward))
     worst = max(abs(rows[k][2] - rows[k + 3][2]) for k in range(3))
     cured = max(abs(rows[k][4] - rows[k + 3][4]) for k in range(3))
     section.check(worst > 2.0 * cured, "The bend depends on the triangulation: the two meshes differ "
                   "more than twice as much as with cotangent spherical weights",
                   f"{worst:.4f} and {cured:.2g}")
+    if not bent:
+        section.verdict(why="Here all upright edges bend outward, as on a ball, on either mesh; the cuboid "
+                            "of the thesis and its mesh are not known. That the triangulation shapes the "
+                            "edges is found here too, and cotangent weights cure it.")
 
 
 @experiment("A4.31", title="A compound model", where="4.6.2, Fig. 4.21", needs=METRICS,
             claim="The larger λ, the rounder the surface, without growing and self-intersections.")
 def compound(section, context):
     _, found = show_series(section, context, context.model("compound"), (0.1, 0.5, 1.0, 5.0))
-    no_folds(section, found)
+    if not no_folds(section, found):
+        section.verdict(why="At large λ the peg comes down on the ball: seen from O the one lies behind "
+                            "the other (A4.40).")
 
 
-@experiment("A4.32", title="A face", where="4.6.2, Fig. 4.22", needs=METRICS,
+def some_face(context):
+    """(model, name)"""
+    real = context.real("nefertiti")
+    return (face_of(real), "nefertiti's face") if real else (context.model("head"), "head")
+
+
+def as_round_as(context, surface, goal):
+    """(λ, filter) with this asphericity, by bisection."""
+    low, high = 0.001, 20.0
+    for _ in range(context.choose(10, 16)):
+        value = np.sqrt(low * high)
+        run = context.style(surface, Roundness=value)
+        error = context.metrics(run.GetOutput(), FindSelfIntersections=False)["FittedSphereError"]
+        low, high = (value, high) if error > goal else (low, value)
+    return value, run
+
+
+@experiment("A4.32", title="A face", where="4.6.2, Fig. 4.22",
+            needs=METRICS + ("vtkSphereProjectionFilter",),
             claim="The face gets rounder while eyes and mouth are preserved; sharp corners come up "
                   "where the triangles are long and thin.")
 def face(section, context):
-    surface, name = context.model("head"), "head"
-    values = (0.1, 0.5, 2.0)
-    _, found = show_series(section, context, surface, values, -20.0)
-    kept = context.style(surface, Roundness=0.5, DetailSize=0.03)
-    flat = context.style(surface, Roundness=0.5)
-    errors = [context.metrics(run.GetOutput(), surface)["DetailError"] for run in (flat, kept)]
-    sphere = context.run("vtkSphereProjectionFilter", surface, OutputPointsPrecision=1,
-                         ) if context.has("vtkSphereProjectionFilter") else None
-    rows = [["Spherical Style, λ = 0.5", errors[0]], ["the same, DetailSize 0.03", errors[1]]]
-    if sphere:
-        rows.append(["outer sphere, 0.5",
-                     context.metrics(sphere.GetOutput(), surface)["DetailError"]])
-        section.check(errors[0] < rows[-1][1], "Details are better preserved than by the way to the "
-                      "outer sphere (detail error)", f"{errors[0]:.3g} and {rows[-1][1]:.3g}")
-    section.table("Details", [name, "detail error"], rows,
-                  "Rms difference of the Laplacian vectors, turned with the surface, over the diagonal")
+    surface, name = some_face(context)
+    section.text(f"Model: {name}, {surface.GetNumberOfCells():,} triangles.")
+    show_series(section, context, surface, (0.1, 0.5, 2.0), -20.0)
+    outer = context.run("vtkSphereProjectionFilter", surface, Coefficient=0.5, OutputPointsPrecision=1)
+    goal = context.metrics(outer.GetOutput(), FindSelfIntersections=False)["FittedSphereError"]
+    value, same = as_round_as(context, surface, goal)
+    rows = []
+    for label, run in (("λ = 0.5", context.style(surface, Roundness=0.5)),
+                       ("λ = 0.5, DetailSize 0.03", context.style(surface, Roundness=0.5, DetailSize=0.03)),
+                       (f"λ = {value:.2g}", same), ("outer sphere, 0.5", outer)):
+        m = context.metrics(run.GetOutput(), surface, FindSelfIntersections=False)
+        rows.append([label, m["FittedSphereError"], m["DetailError"]])
+    section.table("Details", ["", "asphericity", "detail error"], rows,
+                  "Detail error: rms difference of the Laplacian vectors, turned with the surface, over "
+                  "the diagonal")
+    section.check(rows[2][2] < rows[3][2], "At the same asphericity details are better preserved than by "
+                  "the way to the outer sphere (detail error)",
+                  f"{rows[2][2]:.3g} and {rows[3][2]:.3g}")
     mask = context.model("mask")
     thin = thin_triangles(mask)
     runs = {"uniform weights (thesis)": context.thesis(mask, Roundness=0.5),
@@ -142,7 +183,7 @@ def face(section, context):
     section.picture("A rim of long thin triangles", [(mask, "model", None, -60.0)] + [
         (run.GetOutput(), label, None, -60.0) for label, run in runs.items()], wires=True)
     bends = {label: rim_bend(mask, run.GetOutput(), thin) for label, run in runs.items()}
-    section.table("Rim", ["weights", "rms angle between neighbours at the rim, degrees"],
+    section.table("Rim", ["weights", "rms angle between neighbors at the rim, degrees"],
                   [["model", rim_bend(mask, mask, thin)], *bends.items()])
     literal, cured = bends.values()
     section.check(literal > 1.2 * cured, "The rim of thin triangles is more than 1.2 times as bent with "
@@ -174,6 +215,7 @@ def rim_bend(surface, result, thin):
     return float(np.sqrt((angle**2).mean()))
 
 
+OFTEN = (3.0, 5.0, 10.0)  # normals on a unit that may make it red; the last two are checked
 STYLES = ("Tetrahedron", "Cube", "Octahedron", "Icosahedron", "Dodecahedron")
 
 
@@ -187,11 +229,12 @@ STYLES = ("Tetrahedron", "Cube", "Octahedron", "Icosahedron", "Dodecahedron")
                 "A4.35": "Table 4.1: our result hits the most units (2938; input 2695, styles 2145 to "
                          "2527) and the fewest units often (0; input 16, styles 54 to 113)."})
 def gauss(section, context):
-    real = context.real("nefertiti")
-    surface, name = (face_of(real), "nefertiti's face") if real else (context.model("head"), "head")
+    surface, name = some_face(context)
     section.text(f"Model: {name}, {surface.GetNumberOfCells():,} triangles, in place of the thesis' "
                  "female face. One normal per triangle, 360 x 180 units of a degree each; the thesis "
-                 "does not say from which count on a unit is red: here more than 5.")
+                 "does not say from which count on a unit is red. More than 5 and more than 10 are "
+                 "checked: between them lie the thesis' shares for the styles, 2 to 5 % of the units hit. "
+                 "Our styles are four Platonic solids; the thesis' solids are not named.")
     styles = {f"style {style.lower()}": context.run(
         "vtkNormalAnalogyFilter", surface, Style=k, Weight=10.0, OutputPointsPrecision=1).GetOutput()
         for k, style in enumerate(STYLES) if style != "Dodecahedron"}
@@ -200,34 +243,48 @@ def gauss(section, context):
                "ours, default": context.style(surface, Roundness=0.5).GetOutput(), **styles}
     section.picture("Results", [(result, label, None, -20.0) for label, result in results.items()])
     rows, clusters = [], []
-    for label, result in results.items():
-        run = context.run("vtkGaussMapFilter", result, OftenThreshold=5.0)
-        table = {key: values[0] for key, values in columns(run.GetOutputDataObject(2)).items()}
-        rows.append([label, int(table["UnitsHit"]), int(table["UnitsHitOften"]),
-                     table["RelativeEntropy"], table["DistanceToUniform"]])
+    thesis = [(2695, 16), (2938, 0), (None, None), (2145, 113), (2398, 91), (2527, 54), (2438, 56)]
+    for (label, result), known in zip(results.items(), thesis):
+        tables = [{key: values[0] for key, values in columns(run.GetOutputDataObject(2)).items()}
+                  for run in (context.run("vtkGaussMapFilter", result, OftenThreshold=often)
+                              for often in OFTEN)]
+        table = tables[0]
+        rows.append([label, int(table["UnitsHit"]), known[0]]
+                    + [int(other["UnitsHitOften"]) for other in tables]
+                    + [known[1], table["RelativeEntropy"], table["DistanceToUniform"]])
         sphere = context.run("vtkGaussMapFilter", result, OftenThreshold=5.0, SphereUnits=1).GetOutput()
-        clusters.append((sphere, label))
+        clusters.append((sphere, label, None, -20.0))
         if label == "input":
+            run = context.run("vtkGaussMapFilter", result)
             total = array(run.GetOutput(), "Count").sum()
             section.check(abs(total - table["Normals"]) < 1e-6 * total,
                           "Counts of the units sum to the number of normals",
                           f"{total:.0f} and {table['Normals']:.0f}", "A4.34")
     section.picture("Gauss images", clusters, array="Density", range=(0.0, 8.0),
                     caption="Density of the normals on 1,000 units of equal area; 1 is even.")
-    section.table("Table 4.1", ["", "units hit", "units hit often", "relative entropy",
-                                "distance to uniform"], rows,
-                  "Table 4.1 with our model; the last two columns on units of equal area: 1 and 0 "
-                  "for a spread as even as a ball's")
+    section.table("Table 4.1", ["", "units hit", "thesis, yellow"]
+                  + [f"hit more than {often:g} times" for often in OFTEN]
+                  + ["thesis, red", "relative entropy", "distance to uniform"], rows,
+                  "With our model; the last two columns on units of equal area: 1 and 0 for a spread as "
+                  "even as a ball's")
     ours, rest = rows[1], rows[3:]
-    section.check(ours[1] > max(row[1] for row in rows[:1] + rest),
-                  "Our result hits more units than input and styles",
-                  ", ".join(f"{row[0]} {row[1]}" for row in rows), "A4.35")
-    section.check(ours[2] < min(row[2] for row in rest) and ours[2] <= rows[0][2],
-                  "It hits fewer units often than the styles, and not more than the input",
-                  ", ".join(f"{row[0]} {row[2]}" for row in rows), "A4.35")
-    section.check(ours[4] < min(row[4] for row in rows[:1] + rest),
-                  "Its distance to an even spread is the smallest",
-                  ", ".join(f"{row[0]} {row[4]:.3f}" for row in rows), "A4.34")
+    most = section.check(ours[1] > max(row[1] for row in rows[:1] + rest),
+                         "Our result, to the letter, hits more units than input and styles",
+                         ", ".join(f"{row[0]} {row[1]}" for row in rows), "A4.35")
+    for k, often in list(enumerate(OFTEN, 3))[1:]:
+        section.check(ours[k] < min(row[k] for row in rest) and ours[k] <= rows[0][k],
+                      f"It hits fewer units more than {often:g} times than the styles, and not more than "
+                      "the input", ", ".join(f"{row[0]} {row[k]}" for row in rows), "A4.35")
+    section.check(ours[-1] < min(row[-1] for row in rest),
+                  "It is nearer to an even spread than the styles (distance to uniform)",
+                  ", ".join(f"{row[0]} {row[-1]:.3f}" for row in rows), "A4.34")
+    even = section.check(ours[-1] < rows[0][-1], "It is nearer to an even spread than the input",
+                         f"{ours[-1]:.3f} and {rows[0][-1]:.3f}; with defaults {rows[2][-1]:.3f}", "A4.34")
+    for row, holds in (("A4.34", even), ("A4.35", most)):
+        if not holds:
+            section.verdict(why=f"{row}: the thesis' rule stops early; with our defaults the result hits "
+                                f"{rows[2][1]:,} units at a distance of {rows[2][-1]:.3f}, the input "
+                                f"{rows[0][1]:,} at {rows[0][-1]:.3f}.", row=row)
     moves, rounds = [], []
     polyhedra = [("tetrahedron", dict(Style=0)), ("cube", dict(Style=1)),
                  ("icosahedron", dict(Style=3))] + [
@@ -275,12 +332,7 @@ def house(section, context):
     section.check(off < 1e-6, "The projection equals its formula to 1e-6 of the diagonal", f"{off:.2g}",
                   "A4.37")
     goal = context.metrics(outer.GetOutput())["FittedSphereError"]
-    low, high = 0.001, 20.0
-    for _ in range(16):
-        value = np.sqrt(low * high)
-        run = context.style(surface, Roundness=value)
-        error = context.metrics(run.GetOutput(), FindSelfIntersections=False)["FittedSphereError"]
-        low, high = (value, high) if error > goal else (low, value)
+    value, run = as_round_as(context, surface, goal)
     runs = {"λ = 0.5, to the letter": context.thesis(surface, Roundness=0.5).GetOutput(),
             "λ = 0.5": context.style(surface, Roundness=0.5).GetOutput(),
             f"λ = {value:.2g}": run.GetOutput(), "outer sphere, 0.5": outer.GetOutput()}
@@ -294,6 +346,9 @@ def house(section, context):
                                "area spread", "intersecting"], rows,
                   f"Asphericity of the model: {before['FittedSphereError']:.3f}. Detail error: rms "
                   "difference of the Laplacian vectors over the diagonal")
+    section.text("The projection keeps the order of points on a ray, so that sheets cannot pass through "
+                 f"each other: {rows[3][5]} triangles intersect, {rows[0][5]} to {rows[2][5]} in our "
+                 "results (A4.40).")
     section.check(rows[0][1] < before["FittedSphereError"] and rows[1][1] < before["FittedSphereError"],
                   "At λ = 0.5 the house is rounder than the model (asphericity)",
                   f"{before['FittedSphereError']:.3f} to {rows[0][1]:.3f} and {rows[1][1]:.3f}", "A4.36")
@@ -349,7 +404,7 @@ def mouth(section, context):
             needs=METRICS, claim="Differences of directions never point against those of positions; so "
                                  "with directions there are no self-intersections.")
 def never_opposed(section, context):
-    rows, least, folded = [], [], []
+    rows, least, folds = [], [], []
     names = context.choose(["cube", "stone-house"],
                            ["cube", "quadruped", "head", "compound", "stone-house"])
     for name in names:
@@ -365,16 +420,17 @@ def never_opposed(section, context):
         outward = dot(P - P.mean(axis=0), n) < 0.0
         counts = [int(context.metrics(way(surface, Roundness=v).GetOutput())["SelfIntersectingTriangles"])
                   for way in (context.thesis, context.style) for v in (0.5, 5.0)]
-        folded += counts
+        folds += counts
         rows.append([name, least[-1], opposed, outward.mean(), *counts])
     section.table("Opposition", [
         "model", "least (d_i - d_j)·e_ij / |e_ij|", "edges opposed by normals", "not star-shaped",
-        "intersecting, λ = .5, letter", "λ = 5, letter", "λ = .5", "λ = 5"], rows,
-        "Not star-shaped: share of points whose normal looks toward O. Counts are of triangles")
+        "λ = 0.5, to the letter", "λ = 5, to the letter", "λ = 0.5", "λ = 5"], rows,
+        "Edges opposed by normals: share of all edges. Not star-shaped: share of points whose normal "
+        "looks toward O. The last four columns count intersecting triangles")
     section.check(min(least) > -1e-9, "No edge of any model is opposed by its directions",
                   f"least {min(least):.2g}")
-    section.check(not any(folded), "No triangles intersect on any model",
-                  f"up to {max(folded)} triangles")
+    section.check(not any(folds), "No triangles intersect on any model",
+                  f"up to {max(folds)} triangles")
     section.text("The first half can be proved: with p = O + ρ d, (d_i - d_j)·(p_i - p_j) = (ρ_i + ρ_j) "
                  "(1 - d_i·d_j), which is never negative. The second does not follow from it: where the "
                  "surface is not star-shaped about O several sheets share their directions and "
@@ -415,7 +471,7 @@ def one_center(section, context):
         limb.append(np.median(np.abs(depths[:, 2] - depths[:, 1])))
     section.table("Along rays from O", ["λ", "OA", "AB", "BC"],
                   list(zip([0.0, *values], first, gap, limb)),
-                  f"Medians over {len(rays)} rays that cross the {name} at A, B and C: distance of A "
+                  f"Medians over {len(rays)} rays that cross {name} at A, B and C: distance of A "
                   "from O and the gaps between them, followed on the surface")
     check_monotone(section, limb, "BC gets thinner with λ", row="A4.42")
     section.check(limb[-1] < 0.2 * limb[0], "At λ = 10 BC is less than a fifth of what it was",
@@ -443,16 +499,21 @@ def several_centers(section, context):
                   "of its points from their mean, which is the center of its sphere")
     E = edges(triangles(surface))
     joint = E[number[E[:, 0]] != number[E[:, 1]]]
+    rounder = True
     for row in rows[2:]:
         for name, other in (("in the model", rows[0]), ("with one center", rows[1])):
-            section.check(all(after < before for after, before in zip(row[1:], other[1:])),
-                          f"{row[0]}: every part is rounder (radius spread) than {name}",
-                          ", ".join(f"{before:.3f} to {after:.3f}"
-                                    for after, before in zip(row[1:], other[1:])))
+            rounder &= section.check(all(after < before for after, before in zip(row[1:], other[1:])),
+                                     f"{row[0]}: every part is rounder (radius spread) than {name}",
+                                     ", ".join(f"{before:.3f} to {after:.3f}"
+                                               for after, before in zip(row[1:], other[1:])))
         P, Q = points(surface), points(runs[row[0]])
         ratio = (length(Q[joint[:, 0]] - Q[joint[:, 1]]) / length(P[joint[:, 0]] - P[joint[:, 1]])).max()
         section.check(ratio < 3.0, f"{row[0]}: no edge between two parts is stretched threefold, the "
                       "parts stay joined", f"largest ratio {ratio:.2f}")
+    if not rounder:
+        section.verdict(why="Part 1, in the middle, is a barrel that is nearly round already. Deformed "
+                            "alone, with its neighbors held, it keeps both rims and cannot get rounder; "
+                            "with all parts at once the rims can move.")
 
 
 def radius_spread(P):
@@ -475,7 +536,7 @@ def part_by_part(context, surface):
                 "A4.44": "With 0 < a < 1 results lie between those of a = 0 and a = 1.",
                 "A4.45": "With 0 < a < 1 there is no guarantee against self-intersections."})
 def blends(section, context):
-    folded = []
+    counts = []
     name, animal = bunny(context)
     for label, surface, value, shares in (
             ("icosahedron", context.model("icosahedron"), 5.0, (0.0, 0.5, 1.0)),
@@ -488,28 +549,34 @@ def blends(section, context):
         found = result_table(section, context, f"{label}, λ = {value:g}", surface, runs)
         spreads = [m["AreaRatioSpread"] for m in found.values()]
         check_monotone(section, spreads, f"{label}: area spread rises with a", falling=False, row="A4.44")
-        folded += [int(m["SelfIntersectingTriangles"]) for m in list(found.values())[1:-1]]
-    section.check(any(folded), "Some result with 0 < a < 1 intersects itself",
-                  f"triangles: {', '.join(map(str, folded))}", "A4.45")
+        if label != name:  # of a whole animal the asphericity says nothing about its parts
+            errors = [m["FittedSphereError"] for m in found.values()]
+            check_monotone(section, errors, f"{label}: asphericity falls with a", row="A4.44")
+        counts += [folded(m) for m in list(found.values())[1:-1]]
+    section.check(any(counts), "Some result with 0 < a < 1 intersects itself",
+                  f"triangles: {', '.join(map(str, counts))}", "A4.45")
 
 
 @experiment("A4.49", title="A brush", where="4.9",
             claim="With normals or blends as targets the method could edit a surface locally, as a brush.")
 def brush(section, context):
-    surface = context.model("compound")
+    surface = context.model("box", divisions=3 * (context.choose(10, 20),))
     P = points(surface)
-    inside = length(P - (0.75, -0.05, 0.55)) < 0.5
+    inside = length(P - 0.5) < 0.45
     masked = with_array(surface, "brush", inside.astype(np.int32))
-    rows, panels = [], [(masked, "model")]
+    still = with_array(masked, "displacement / diagonal", np.zeros(len(P)))
+    rows, panels = [], [(still, "model")]
     for a in (0.5, 1.0):
         result = context.run("vtkSphericalStyleFilter", masked, arrays={4: (0, "brush")},
                              Roundness=1.0, NormalBlend=a).GetOutput()
         moved = length(points(result) - P) / surface.GetLength()
         rows.append([a, moved[inside].max(), moved[~inside].max()])
-        panels.append((result, f"a = {a:g}"))
-    section.picture("A corner under the brush", panels, array="brush", range=(0.0, 1.0))
+        panels.append((with_array(result, "displacement / diagonal", moved), f"a = {a:g}"))
+    section.picture("A corner under the brush", panels, array="displacement / diagonal",
+                    range=(0.0, 0.15), wires=True)
     section.table("Displacement", ["a", "largest inside / diagonal", "largest outside / diagonal"], rows)
     section.check(max(row[2] for row in rows) == 0.0, "Points outside the brush keep their bits",
                   f"largest displacement {max(row[2] for row in rows):g}")
-    section.check(min(row[1] for row in rows) > 0.01, "Under it the surface moves by more than 1 % of "
-                  "the diagonal, more with normals", ", ".join(f"{row[1]:.3f}" for row in rows))
+    section.check(0.01 < rows[0][1] < rows[1][1], "Under it the surface moves by more than 1 % of "
+                  "the diagonal, more with normals than with the blend",
+                  ", ".join(f"{row[1]:.3f}" for row in rows))

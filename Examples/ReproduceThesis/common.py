@@ -58,11 +58,16 @@ def result_table(section, context, name, surface, runs, caption=""):
     """A row per run: measures against the model, iterations. Returns {label: metrics}."""
     before = context.metrics(surface)
     results = {label: context.metrics(run.GetOutput(), surface) for label, run in runs.items()}
-    rows = [["model", before["Sphericity"], before["FittedSphereError"], None,
+    rows = [["model", _finite(before["Sphericity"]), before["FittedSphereError"], None,
              int(before["SelfIntersectingTriangles"]), None, None]]
     for label, m in results.items():
         rows.append([label] + [
-            int(m[column]) if name in COUNTS else m[column]
+            int(m[column]) if name in COUNTS else _finite(m[column])
             for name, column in MEASURED.items()] + [runs[label].GetNumberOfIterations()])
-    section.table(name, ["", *MEASURED, "iterations"], rows, caption or EXPLAINED)
+    open_ = "" if np.isfinite(before["Sphericity"]) else ". An open surface has no sphericity"
+    section.table(name, ["", *MEASURED, "iterations"], rows, caption or EXPLAINED + open_)
     return results
+
+
+def _finite(value):
+    return value if np.isfinite(value) else None
