@@ -298,9 +298,9 @@ public:
 
   ///@{
   /**
-   * Weight of an edge in the spherical term: Uniform (default; thesis) or Cotangent, which makes
-   * the result independent of the triangulation and needs no new factorisation when Roundness
-   * changes.
+   * Weight of an edge in the spherical term: Cotangent (default), with which the result does not
+   * depend on the triangulation, DetailSize 0 has a closed form, and a new Roundness needs no new
+   * factorisation; or Uniform (thesis), with which finely meshed parts become rounder.
    */
   vtkSetClampMacro(SphericalWeighting, int, UNIFORM, COTANGENT);
   vtkGetMacro(SphericalWeighting, int);
@@ -499,7 +499,7 @@ private:
   int SphereOf = REGION;
   double BorderWidth = 0.1;
   double CenterBlendWidth = 0.02;
-  int SphericalWeighting = UNIFORM;
+  int SphericalWeighting = COTANGENT;
   int ConcaveEdges = KEEP;
   int EdgeWeighting = HALF_EDGE;
   int StopRule = CONVERGED;

@@ -73,8 +73,9 @@ class Context:
         return algorithm
 
     def style(self, surface, **properties):
-        """The executed vtkSphericalStyleFilter, points in double precision."""
-        return self.run("vtkSphericalStyleFilter", surface, OutputPointsPrecision=1, **properties)
+        """The executed vtkSphericalStyleFilter, points in double precision, uniform weights."""
+        return self.run("vtkSphericalStyleFilter", surface,
+                        **{"OutputPointsPrecision": 1, "SphericalWeighting": 0, **properties})
 
     def thesis(self, surface, **properties):
         """The same to the letter of the thesis."""

@@ -65,11 +65,10 @@ void CheckCentroid(
     1e-12 * Diagonal(input), "move of the centroid of points " + Text(first) + " and on");
 }
 
-/// What rounding with cotangent weights gives, which does not depend on how planar faces are cut.
-Surface RoundedByCotangents(Checker& check, vtkPolyData* input)
+/// With cotangent weights, the default, the result does not depend on how planar faces are cut.
+Surface Rounded(Checker& check, vtkPolyData* input)
 {
   WatchedFilter filter;
-  filter->SetSphericalWeightingToCotangent();
   Surface output = CheckSound(check, filter, input);
   return output;
 }
@@ -147,8 +146,8 @@ void PlanarPolygons(Checker& check)
   const Surface input = MakeSurface(points, polygons);
   const Surface output = CheckRound(check, input);
   CheckCentroid(check, input, output, 0, 12);
-  check.AtMost(LargestDistance(RoundedByCotangents(check, input),
-                 RoundedByCotangents(check, MakeSurface(points, triangles))),
+  check.AtMost(
+    LargestDistance(Rounded(check, input), Rounded(check, MakeSurface(points, triangles))),
     Rounding * Diagonal(input), "cotangent weights: difference to the same faces cut by hand");
 }
 
@@ -742,7 +741,7 @@ void Properties(Checker& check)
   RoundTrip(SphereOf, 1, 0);
   RoundTrip(BorderWidth, 0.1, 0.3);
   RoundTrip(CenterBlendWidth, 0.02, 0.2);
-  RoundTrip(SphericalWeighting, 0, 1);
+  RoundTrip(SphericalWeighting, 1, 0);
   RoundTrip(ConcaveEdges, 0, 2);
   RoundTrip(EdgeWeighting, 0, 1);
   RoundTrip(StopRule, 0, 2);

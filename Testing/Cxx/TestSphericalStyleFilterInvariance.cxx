@@ -19,11 +19,14 @@ constexpr double Single = 1e-6;
 class Invariance
 {
 public:
-  Invariance(Checker& check, vtkPolyData* model, const std::string& name, double roundness)
+  Invariance(
+    Checker& check, vtkPolyData* model, const std::string& name, double roundness, int weighting)
     : Check(check)
     , Model(WithPointsOf(model, VTK_DOUBLE))
-    , Name(name + ", Roundness " + vtkVariant(roundness).ToString() + ": ")
+    , Name(name + ", Roundness " + vtkVariant(roundness).ToString() + ", SphericalWeighting " +
+        vtkVariant(weighting).ToString() + ": ")
     , Roundness(roundness)
+    , Weighting(weighting)
     , Size(Diagonal(model))
   {
     Check.About(Name + "as it is");
@@ -47,6 +50,7 @@ private:
   {
     WatchedFilter filter(input);
     filter->SetRoundness(Roundness);
+    filter->SetSphericalWeighting(Weighting);
     Surface output = filter.Output();
     Check(filter.Errors.empty() && filter.Warnings.empty() && filter->GetConverged(),
       "the filter should converge and say nothing");
@@ -227,6 +231,7 @@ private:
       Check.About(Name + Text(threads) + " threads");
       WatchedFilter filter(Model);
       filter->SetRoundness(Roundness);
+      filter->SetSphericalWeighting(Weighting);
       filter->SetNumberOfThreads(threads);
       Check(SamePoints(filter.Output(), Expected), "the result should have the same bits");
     }
@@ -237,6 +242,7 @@ private:
     Check.About(Name + "a second run");
     WatchedFilter filter(Model);
     filter->SetRoundness(Roundness);
+    filter->SetSphericalWeighting(Weighting);
     Check(SamePoints(filter.Output(), Expected), "another filter should give the same bits");
     filter->Modified();
     Check(SamePoints(filter.Output(), Expected), "the same filter should give the same bits again");
@@ -249,7 +255,7 @@ private:
       filter->SetCenterModeToPointMean();
       filter->SetNormalBlend(0.0);
       filter->SetDetailSize(0.0);
-      filter->SetSphericalWeightingToUniform();
+      filter->SetSphericalWeighting(Weighting);
       filter->SetEdgeWeightingToHalfEdge();
       filter->SetInputData(Model);
       Check(SamePoints(filter.Output(), Expected), "after " + what + ", the same bits as at first");
@@ -263,8 +269,8 @@ private:
     back("a NormalBlend");
     filter->SetDetailSize(0.03);
     back("a DetailSize");
-    filter->SetSphericalWeightingToCotangent();
-    back("cotangent weights");
+    filter->SetSphericalWeighting(vtkSphericalStyleFilter::COTANGENT - Weighting);
+    back("the other SphericalWeighting");
     filter->SetEdgeWeightingToFullEdge();
     filter->SetMaximumNumberOfIterations(3);
     filter.Output();
@@ -284,6 +290,7 @@ private:
   Surface Model;
   std::string Name;
   double Roundness;
+  int Weighting;
   double Size;
   Surface Expected;
 };
@@ -297,7 +304,11 @@ int TestSphericalStyleFilterInvariance(int argc, char* argv[])
     const Surface model = ReadModel(argc, argv, (std::string(name) + ".vtp").c_str());
     for (const double roundness : { 0.5, 5.0 })
     {
-      Invariance(check, model, name, roundness).Run();
+      for (const int weighting :
+        { vtkSphericalStyleFilter::UNIFORM, vtkSphericalStyleFilter::COTANGENT })
+      {
+        Invariance(check, model, name, roundness, weighting).Run();
+      }
     }
   }
   return check.Result();

@@ -44,6 +44,7 @@ rounded.Center = [0.0, 0.0, 0.1]
 rounded.RadiusMode = "Custom"
 rounded.Radius = 0.7
 rounded.GenerateCellEnergy = 1
+rounded.SphericalWeighting = "Uniform"  # iterates
 UpdatePipeline(proxy=rounded)
 assert bounds(rounded)[5] < default_height < bounds(long_sphere)[5]
 filter_ = rounded.SMProxy.GetClientSideObject()
