@@ -216,8 +216,8 @@ public:
 
   ///@{
   /**
-   * Where the centre O of the target sphere lies: PointMean (default; mean of the points that take
-   * part, coincident ones once; thesis), AreaCentroid (the same for any sampling of the surface) or
+   * Where the centre O of the target sphere lies: AreaCentroid (default; the same for any sampling
+   * of the surface), PointMean (mean of the points that take part, coincident ones once; thesis) or
    * Custom (Center).
    */
   vtkSetClampMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
@@ -491,7 +491,7 @@ private:
   int Feature = LINEAR;
   int CenterConstraint = CORRECTED;
   double NormalBlend = 0.0;
-  int CenterMode = POINT_MEAN;
+  int CenterMode = AREA_CENTROID;
   double Center[3] = { 0.0, 0.0, 0.0 };
   int RadiusMode = EQUAL_AREA;
   double Radius = 1.0;

@@ -73,9 +73,10 @@ class Context:
         return algorithm
 
     def style(self, surface, **properties):
-        """The executed vtkSphericalStyleFilter, points in double precision, uniform weights."""
+        """The executed vtkSphericalStyleFilter: weights and center of the thesis, double precision."""
         return self.run("vtkSphericalStyleFilter", surface,
-                        **{"OutputPointsPrecision": 1, "SphericalWeighting": 0, **properties})
+                        **{"OutputPointsPrecision": 1, "SphericalWeighting": 0, "CenterMode": 0,
+                           **properties})
 
     def thesis(self, surface, **properties):
         """The same to the letter of the thesis."""

@@ -734,7 +734,7 @@ void Properties(Checker& check)
   RoundTrip(Feature, 0, 1);
   RoundTrip(CenterConstraint, 0, 1);
   RoundTrip(NormalBlend, 0.0, 0.25);
-  RoundTrip(CenterMode, 0, 2);
+  RoundTrip(CenterMode, 1, 2);
   RoundTrip(RadiusMode, 0, 2);
   RoundTrip(Radius, 1.0, 7.0);
   RoundTrip(DetailSize, 0.0, 0.03);

@@ -252,7 +252,7 @@ private:
     {
       Check(!SamePoints(filter.Output(), Expected), what + " should change the result");
       filter->SetRoundness(Roundness);
-      filter->SetCenterModeToPointMean();
+      filter->SetCenterModeToAreaCentroid();
       filter->SetNormalBlend(0.0);
       filter->SetDetailSize(0.0);
       filter->SetSphericalWeighting(Weighting);

@@ -30,6 +30,7 @@ vtkDataArray* Column(WatchedFilter& filter, const char* name)
 void SetUp(WatchedFilter& filter, double roundness, int iterations)
 {
   filter->SetFeatureToNonlinear();
+  filter->SetCenterModeToPointMean(); // the thesis' center
   filter->SetRoundness(roundness);
   filter->SetStopRuleToFixedIterations();
   filter->SetMaximumNumberOfIterations(iterations);

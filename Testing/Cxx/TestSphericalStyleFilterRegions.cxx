@@ -160,7 +160,9 @@ void SphereOf(Checker& check)
   check.About("SphereOf");
   const Surface model = Model();
   WatchedFilter none(model), filter(model);
+  none->SetCenterModeToPointMean();
   none->Update();
+  filter->SetCenterModeToPointMean();
   filter->SetInputArrayToProcess(RegionArray, 0, 0, OfPoints, "region");
   filter->Update();
   Vector mean = { 0.0, 0.0, 0.0 };
@@ -193,6 +195,7 @@ void Centers(Checker& check)
   check.About("several centers");
   const Surface model = Model();
   WatchedFilter filter(model);
+  filter->SetCenterModeToPointMean();
   filter->SetInputArrayToProcess(CenterIdArray, 0, 0, OfPoints, "part");
   vtkPolyData* output = filter.Output();
   check(filter.Errors.empty() && filter.Warnings.empty(),

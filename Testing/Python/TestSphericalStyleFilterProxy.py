@@ -28,7 +28,7 @@ UpdatePipeline(proxy=long_sphere)
 # ----------------------------------------------------------------- defaults, as the panel gets them
 rounded = SphericalStyle(Input=long_sphere)
 assert rounded.Roundness == 0.5 and rounded.DetailSize == 0.0 and rounded.NormalBlend == 0.0
-assert rounded.CenterMode == "Point Mean" and rounded.RadiusMode == "Equal Area"
+assert rounded.CenterMode == "Area Centroid" and rounded.RadiusMode == "Equal Area"
 assert rounded.StopRule == "Converged" and rounded.OutputPointsPrecision == "Default"
 for array in (rounded.NormalsArray, rounded.RoundnessFactorArray, rounded.NormalBlendArray,
               rounded.TargetDirectionsArray):
