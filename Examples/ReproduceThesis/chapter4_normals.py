@@ -48,7 +48,7 @@ def growth(section, result, surface, grown, shrunk, names, row=None):
 def rounder_with_roundness(section, context, surface, values=(0.5, 1.0, 5.0), views=(25.0,)):
     """Pictures, measures, energies and the checks of Fig. 4.3 to 4.8. Returns the thesis' runs."""
     letter = {f"λ = {v:g}": context.thesis(surface, NormalBlend=1.0, Roundness=v) for v in values}
-    default = {f"λ = {v:g}, default": context.style(surface, NormalBlend=1.0, Roundness=v)
+    default = {f"λ = {v:g}, minimum": context.style(surface, NormalBlend=1.0, Roundness=v)
                for v in values}
     section.picture("Results", [[(surface, "model", None, view)] + [
         (with_growth(run.GetOutput(), surface), label, None, view) for label, run in letter.items()]
@@ -104,7 +104,7 @@ def flatness(surface):
 def model4(section, context):
     surface = context.model("icosahedron")
     runs = {"λ = 5": context.thesis(surface, NormalBlend=1.0, Roundness=5.0),
-            "λ = 5, default": context.style(surface, NormalBlend=1.0, Roundness=5.0)}
+            "λ = 5, minimum": context.style(surface, NormalBlend=1.0, Roundness=5.0)}
     result_table(section, context, "Measures", surface, runs)
     panels = [(surface, "model")] + [(run.GetOutput(), label) for label, run in runs.items()]
     section.picture("Texture", panels, array="TCoords")
@@ -182,7 +182,7 @@ def mean_curvature(surface):
 def cube(section, context):
     surface = context.model("cube")
     runs = {"λ = 5": context.thesis(surface, NormalBlend=1.0, Roundness=5.0),
-            "λ = 5, default": context.style(surface, NormalBlend=1.0, Roundness=5.0)}
+            "λ = 5, minimum": context.style(surface, NormalBlend=1.0, Roundness=5.0)}
     result_table(section, context, "Measures", surface, runs)
     curved = {label: mean_curvature(run.GetOutput()) for label, run in runs.items()}
     scale = 1.0 / runs["λ = 5"].GetEffectiveRadius()
@@ -254,7 +254,7 @@ def tetrahedron(section, context):
                   "intersect itself.")
 def prism(section, context):
     surface, values = context.model("tangram-prism"), (0.1, 0.5, 1.0)
-    for name, literal in (("To the letter", True), ("Default energy", False)):
+    for name, literal in (("To the letter", True), ("Half-edge energy", False)):
         properties = {} if literal else dict(InitialGuess=1, Acceleration=False)
         counts = [folded(m) for m in intersections(section, context, surface, name, values,
                                                    literal=literal, **properties)]
@@ -266,12 +266,12 @@ def prism(section, context):
                      for s in (surface, run.GetOutput()))
     bend, sharp = np.degrees(np.abs(after - before)), np.abs(before) > 1e-3
     section.check(np.median(bend[sharp]) > np.median(bend[~sharp]),
-                  "Default energy: at λ = 0.1 sharp edges bend more than flat areas (median change of "
+                  "Half-edge energy: at λ = 0.1 sharp edges bend more than flat areas (median change of "
                   "the dihedral angle)",
                   f"{np.median(bend[sharp]):.2f} and {np.median(bend[~sharp]):.2f} degrees")
     section.verdict(why="The mesh of this prism is full of obtuse triangles. To the letter each of them "
                         "gets cotangents of triangles outside its cells, which folds the mesh already at "
-                        "λ = 0.1; the default energy, here from the thesis' start, takes each triangle's "
+                        "λ = 0.1; the half-edge energy, here from the thesis' start, takes each triangle's "
                         "own and folds only at larger λ.")
 
 
@@ -291,7 +291,7 @@ def folds(section, context):
     name, surface = bunny(context)
     run = context.thesis(surface, NormalBlend=1.0, Roundness=0.1)
     runs = {"λ = 0.05": context.thesis(surface, NormalBlend=1.0, Roundness=0.05), "λ = 0.1": run,
-            "λ = 0.1, default": context.style(surface, NormalBlend=1.0, Roundness=0.1),
+            "λ = 0.1, minimum": context.style(surface, NormalBlend=1.0, Roundness=0.1),
             "λ = 0.1, a = 0": context.thesis(surface, Roundness=0.1)}
     before = context.metrics(surface)["FittedSphereError"]
     _, found, _, directions = show_intersections(section, context, surface, name, runs, 60.0)
@@ -432,8 +432,7 @@ def same_asphericity(context, scaled, goal):
     low, high = 0.01, 100.0
     for _ in range(14):
         value = np.sqrt(low * high)
-        run = context.run("vtkSphericalStyleFilter", scaled, arrays={1: (0, "factor")},
-                          NormalBlend=1.0, Roundness=value, OutputPointsPrecision=1)
+        run = context.style(scaled, arrays={1: (0, "factor")}, NormalBlend=1.0, Roundness=value)
         error = context.metrics(run.GetOutput(), FindSelfIntersections=False)["FittedSphereError"]
         low, high = (value, high) if error > goal else (low, value)
     return value, run

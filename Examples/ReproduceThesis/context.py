@@ -72,9 +72,9 @@ class Context:
         messages.raise_errors(f"{name} failed:")
         return algorithm
 
-    def style(self, surface, **properties):
+    def style(self, surface, others=None, arrays=None, **properties):
         """The executed vtkSphericalStyleFilter: weights and center of the thesis, double precision."""
-        return self.run("vtkSphericalStyleFilter", surface,
+        return self.run("vtkSphericalStyleFilter", surface, others, arrays,
                         **{"OutputPointsPrecision": 1, "SphericalWeighting": 0, "CenterMode": 0,
                            **properties})
 

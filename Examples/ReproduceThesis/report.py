@@ -363,8 +363,8 @@ INTRODUCTION = """
 Style Deformation on Single Component Models</i>, run again with this project's filters, and the
 mistakes found in its formulas. The models of the thesis are not available; shapes made by code
 stand in for them, and real models where a section names one. Where a section says "to the letter",
-the filter ran with <code>ReproduceThesis</code>; otherwise with its own defaults but for the
-settings named there.</p>
+the filter ran with <code>ReproduceThesis</code>; otherwise it looks for the minimum of the
+half-edge energy, with the uniform weights and the center of the thesis and the settings named there.</p>
 <p>Each row below is one claim or experiment. Verdicts are computed from the numbers of this run:
 <i>holds</i> if every check of the row is met, <i>holds in part</i> if some are, <i>does not hold</i>
 if none is. Among the errata the claim is what the thesis says or implies, and <i>does not hold</i>
