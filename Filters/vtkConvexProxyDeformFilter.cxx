@@ -368,8 +368,7 @@ void vtkConvexProxyDeformFilter::Internals::Warn(vtkConvexProxyDeformFilter* sel
   if (report.turnedOver > ManyTurnedOver * static_cast<double>(surface.Mesh.F.rows()))
   {
     far << (far.tellp() > 0 ? ". " : "")
-        << "Lines from points to the proxy cross: " << Count(report.turnedOver, "triangle")
-        << " of " << surface.Mesh.F.rows()
+        << report.turnedOver << " of " << Count(surface.Mesh.F.rows(), "triangle")
         << " turned over. Nearer to 1, t does less harm; Transfer Offset and a region may help";
   }
   if (far.tellp() > 0)
