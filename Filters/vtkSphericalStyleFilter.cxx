@@ -4,6 +4,7 @@
 
 #include "NonlinearFeature.h"
 #include "vtkFilterSupport.h"
+#include "vtkLongEdges.h"
 #include "vtkStyleHistory.h"
 #include "vtkSurfaceMeshConversion.h"
 #include "vtkSurfaceRegion.h"
@@ -15,6 +16,7 @@
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -176,13 +178,16 @@ struct vtkSphericalStyleFilter::Internals
 
   struct Inputs
   {
-    vtkPolyData* Model;
-    vtkPointSet* Centers;    // or nullptr
-    vtkSelection* Selection; // or nullptr
+    vtkSmartPointer<vtkPolyData> Model;
+    vtkPointSet* Centers;                    // or nullptr
+    vtkSmartPointer<vtkSelection> Selection; // or nullptr
   };
 
   /// @throw std::invalid_argument naming the property and its value
   static void CheckProperties(const vtkSphericalStyleFilter* self);
+  /// Model and selection with long edges split, where the user wants it.
+  /// @param surface  of the model, before and after; what it says to warn of is of the input
+  static void Refine(vtkSphericalStyleFilter* self, Inputs& inputs, vtkSurfaceMesh& surface);
   static SphericalStyle::LoopOptions MakeLoopOptions(const vtkSphericalStyleFilter* self);
   static SphericalStyle::StyleOptions MakeOptions(vtkSphericalStyleFilter* self,
     const vtkSurfaceMesh& surface, const Inputs& inputs, const std::vector<char>& region);
@@ -216,6 +221,38 @@ void vtkSphericalStyleFilter::Internals::CheckProperties(const vtkSphericalStyle
   }
   Require(self->Tolerance > 0.0 && self->Tolerance < 1.0, "Tolerance", "above 0 and below 1",
     self->Tolerance);
+  Require(self->MaximumEdgeLength >= 0.001 && self->MaximumEdgeLength <= 1.0, "MaximumEdgeLength",
+    "in 0.001..1", self->MaximumEdgeLength);
+}
+
+void vtkSphericalStyleFilter::Internals::Refine(
+  vtkSphericalStyleFilter* self, Inputs& inputs, vtkSurfaceMesh& surface)
+{
+  if (!self->RefineLongEdges || self->ReproduceThesis)
+  {
+    return;
+  }
+  self->SetProgressText("Refining");
+  const auto find = [&](int index, const char* purpose)
+  {
+    return vtkSurfaceMeshConversion::FindPointArray(
+      self->GetInputArrayInformation(index), inputs.Model, purpose);
+  };
+  const vtkLongEdges::Refined refined = vtkLongEdges::Split(inputs.Model, surface,
+    self->MaximumEdgeLength, { find(REGION_MASK, "Region"), find(CENTER_ID, "Center id") });
+  if (inputs.Selection)
+  {
+    inputs.Selection = vtkLongEdges::Select(
+      vtkSurfaceRegion::SelectedPoints(inputs.Model, inputs.Selection), refined);
+  }
+  inputs.Model = refined.Surface;
+  vtkSurfaceMesh mesh =
+    vtkSurfaceMeshConversion::FromPolyData(inputs.Model, self->WeldCoincidentPoints);
+  mesh.DegenerateTriangles = surface.DegenerateTriangles;
+  mesh.FirstDegenerateCell = surface.FirstDegenerateCell;
+  mesh.FannedPolygons = surface.FannedPolygons;
+  mesh.FirstFannedPolygon = surface.FirstFannedPolygon;
+  surface = std::move(mesh);
 }
 
 SphericalStyle::LoopOptions vtkSphericalStyleFilter::Internals::MakeLoopOptions(
@@ -486,15 +523,14 @@ int vtkSphericalStyleFilter::FillOutputPortInformation(int port, vtkInformation*
 int vtkSphericalStyleFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const Internals::Inputs inputs = { vtkPolyData::GetData(inputVector[MODEL], 0),
+  Internals::Inputs inputs = { vtkPolyData::GetData(inputVector[MODEL], 0),
     vtkPointSet::GetData(inputVector[CENTERS], 0),
     vtkSelection::GetData(inputVector[SELECTION], 0) };
-  vtkPolyData* input = inputs.Model;
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   SphericalStyle::StyleReport report;
   Internals::SetFacts(this, report);
-  if (!input || input->GetNumberOfPoints() == 0)
+  if (!inputs.Model || inputs.Model->GetNumberOfPoints() == 0)
   {
     return 1;
   }
@@ -505,9 +541,10 @@ int vtkSphericalStyleFilter::RequestData(
   try
   {
     Internals::CheckProperties(this);
-    surface = vtkSurfaceMeshConversion::FromPolyData(input, this->WeldCoincidentPoints);
+    surface = vtkSurfaceMeshConversion::FromPolyData(inputs.Model, this->WeldCoincidentPoints);
+    Internals::Refine(this, inputs, surface);
     const std::vector<char> region = vtkSurfaceRegion::Marks(
-      this->GetInputArrayInformation(REGION_MASK), inputs.Selection, input, surface);
+      this->GetInputArrayInformation(REGION_MASK), inputs.Selection, inputs.Model, surface);
     report = this->Internal->Solve(
       this, surface, inputs, region,
       [this](int iteration, double)
@@ -530,10 +567,10 @@ int vtkSphericalStyleFilter::RequestData(
     return 0;
   }
 
-  output->ShallowCopy(input);
+  output->ShallowCopy(inputs.Model);
   vtkSurfaceMeshConversion::ReplacePoints(
     output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);
-  this->Internal->AttachArrays(this, surface, regionWeights, input, output);
+  this->Internal->AttachArrays(this, surface, regionWeights, inputs.Model, output);
   vtkStyleHistory::Fill(history, report, "Spherical");
   Internals::Warn(this, surface, report);
   if (this->Feature == NONLINEAR && Q.rows() > 0)
@@ -569,6 +606,8 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Anchor: " << this->Anchor << "\n";
   os << indent << "WeldCoincidentPoints: " << OnOff(this->WeldCoincidentPoints) << "\n";
   os << indent << "InitialGuess: " << this->InitialGuess << "\n";
+  os << indent << "RefineLongEdges: " << OnOff(this->RefineLongEdges) << "\n";
+  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "ReproduceThesis: " << OnOff(this->ReproduceThesis) << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";

@@ -30,15 +30,23 @@
  *       have a center and a radius of their own (thesis 4.6.6). Coincident points take the id of
  *       the first of them.
  *
- * Output port 0: vtkPolyData with the cells, point order and every array of the input, and the
- * point arrays
+ * Output port 0: vtkPolyData with the cells, point order and every array of the input, unless
+ * RefineLongEdges splits cells, and the point arrays
  *  - TargetDirection (3): t, no unit [symbols];
  *  - Displacement (3): output minus input point, model length;
  *  - Normals: recomputed if the input had point normals or GenerateNormals is on;
  *  - RegionWeight (1): with a region, 0 outside, 1 inside, between them along the border;
  *  - CellEnergy (1), Rotation (9, row by row): on demand;
  *  - AuxiliaryScale (1): s, 1 / length, on demand with Feature Nonlinear, which has no
- *    TargetDirection.
+ *    TargetDirection;
+ *  - RefinedPoint (1): with RefineLongEdges, 1 for new points, which come after those of the input.
+ *
+ * RefineLongEdges [refine] splits long edges before anything else, so that "input" means the split
+ * surface from there on: Displacement is against it. Cells with a long edge become triangles, with
+ * the cell arrays of the cell they come from; the cell array OriginalCell (1) is its id. On a new
+ * point, floating-point arrays and colors are interpolated, whole numbers and center ids are those
+ * of the nearest point of the input, and it is in the region, or selected, if all points of the
+ * input that it lies between are. Texture seams stay shut and keep the coordinates of both sides.
  *
  * Output port 1: vtkTable, one row for the start and one per iteration: Iteration, Total, Rigid,
  * Spherical (energies, length^2), LocalChange, GlobalChange, Residual (Eq. 3.46), Gap (estimated,
@@ -409,9 +417,30 @@ public:
 
   ///@{
   /**
+   * Split edges longer than MaximumEdgeLength before the solve, so that a panel of two triangles
+   * can become round. The output then has more points and cells than the input (RefinedPoint,
+   * OriginalCell). Default off.
+   */
+  vtkSetMacro(RefineLongEdges, bool);
+  vtkGetMacro(RefineLongEdges, bool);
+  vtkBooleanMacro(RefineLongEdges, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Longest edge with RefineLongEdges, as a fraction of the diagonal of the model's bounds. Smaller
+   * is smoother and slower: half of it takes four times the triangles; more than 2000000 new ones
+   * are an error. Range 0.001..1. Default 0.04.
+   */
+  vtkSetClampMacro(MaximumEdgeLength, double, 0.001, 1.0);
+  vtkGetMacro(MaximumEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
    * Run the method of the thesis to the letter. On overrides FullEdge, Uniform, Thesis stop, Rest,
    * LastPoint, no acceleration, PointMean and DetailSize 0; with Feature Nonlinear AsWritten,
-   * Thesis stop, no acceleration and PointMean. Default off.
+   * Thesis stop, no acceleration and PointMean; with both no RefineLongEdges. Default off.
    */
   vtkSetMacro(ReproduceThesis, bool);
   vtkGetMacro(ReproduceThesis, bool);
@@ -509,6 +538,8 @@ private:
   int Anchor = CENTROID;
   bool WeldCoincidentPoints = true;
   int InitialGuess = BLEND;
+  bool RefineLongEdges = false;
+  double MaximumEdgeLength = 0.04;
   bool ReproduceThesis = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   int NumberOfThreads = 0;

@@ -446,6 +446,16 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
   return surface;
 }
 
+std::vector<FaceTriangle> Triangles(vtkPolyData* input)
+{
+  std::vector<FaceTriangle> triangles;
+  FaceTriangles(input).Visit(
+    [&triangles](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c) {
+      triangles.push_back({ cell, { a, b, c } });
+    });
+  return triangles;
+}
+
 std::vector<std::string> Remarks(const vtkSurfaceMesh& surface)
 {
   std::vector<std::string> remarks;

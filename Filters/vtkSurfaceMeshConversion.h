@@ -8,6 +8,7 @@
 #include "StyleSolver.h" // for the types of the solver
 #include "vtkType.h"     // for vtkIdType
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,17 @@ enum class TakePoints
 ///        points
 vtkSurfaceMesh FromPolyData(
   vtkPolyData* input, bool weld, TakePoints take = TakePoints::OfTriangles);
+
+/// A triangle of a cell, by input points.
+struct FaceTriangle
+{
+  vtkIdType Cell;
+  std::array<vtkIdType, 3> Corners;
+};
+
+/// All triangles that FromPolyData takes from a surface, in its order, before any is skipped.
+/// @param input  that FromPolyData has found good
+std::vector<FaceTriangle> Triangles(vtkPolyData* input);
 
 /// What was left out or repaired, in words for warnings.
 std::vector<std::string> Remarks(const vtkSurfaceMesh& surface);

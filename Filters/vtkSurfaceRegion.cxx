@@ -45,49 +45,6 @@ void CheckNodes(vtkSelection* selection)
     }
   }
 }
-/// One per point of the input: 1 for selected points and points of selected cells.
-std::vector<char> SelectedPoints(vtkPolyData* input, vtkSelection* selection)
-{
-  CheckNodes(selection);
-  std::vector<char> selected(input->GetNumberOfPoints(), 0);
-  if (selection->GetNumberOfNodes() == 0)
-  {
-    return selected;
-  }
-  vtkNew<vtkExtractSelection> extract;
-  extract->SetInputDataObject(0, input);
-  extract->SetInputDataObject(1, selection);
-  extract->PreserveTopologyOn();
-  extract->Update();
-  vtkDataSet* marked = vtkDataSet::SafeDownCast(extract->GetOutputDataObject(0));
-  if (!marked)
-  {
-    return selected;
-  }
-  if (vtkDataArray* points = marked->GetPointData()->GetArray("vtkInsidedness"))
-  {
-    for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
-    {
-      selected[i] = points->GetComponent(i, 0) > 0.0;
-    }
-  }
-  if (vtkDataArray* cells = marked->GetCellData()->GetArray("vtkInsidedness"))
-  {
-    vtkNew<vtkIdList> ids;
-    for (vtkIdType c = 0; c < cells->GetNumberOfTuples(); ++c)
-    {
-      if (cells->GetComponent(c, 0) > 0.0)
-      {
-        marked->GetCellPoints(c, ids);
-        for (const vtkIdType i : *ids)
-        {
-          selected[i] = 1;
-        }
-      }
-    }
-  }
-  return selected;
-}
 
 /// Diagonal of the bounds.
 double Diagonal(const Points& P)
@@ -139,6 +96,49 @@ Eigen::VectorXd DistancesToOutside(const Points& P, const std::vector<char>& ins
     });
   return distances;
 }
+}
+
+std::vector<char> vtkSurfaceRegion::SelectedPoints(vtkPolyData* input, vtkSelection* selection)
+{
+  CheckNodes(selection);
+  std::vector<char> selected(input->GetNumberOfPoints(), 0);
+  if (selection->GetNumberOfNodes() == 0)
+  {
+    return selected;
+  }
+  vtkNew<vtkExtractSelection> extract;
+  extract->SetInputDataObject(0, input);
+  extract->SetInputDataObject(1, selection);
+  extract->PreserveTopologyOn();
+  extract->Update();
+  vtkDataSet* marked = vtkDataSet::SafeDownCast(extract->GetOutputDataObject(0));
+  if (!marked)
+  {
+    return selected;
+  }
+  if (vtkDataArray* points = marked->GetPointData()->GetArray("vtkInsidedness"))
+  {
+    for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
+    {
+      selected[i] = points->GetComponent(i, 0) > 0.0;
+    }
+  }
+  if (vtkDataArray* cells = marked->GetCellData()->GetArray("vtkInsidedness"))
+  {
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType c = 0; c < cells->GetNumberOfTuples(); ++c)
+    {
+      if (cells->GetComponent(c, 0) > 0.0)
+      {
+        marked->GetCellPoints(c, ids);
+        for (const vtkIdType i : *ids)
+        {
+          selected[i] = 1;
+        }
+      }
+    }
+  }
+  return selected;
 }
 
 std::vector<char> vtkSurfaceRegion::Marks(

@@ -16,6 +16,10 @@ struct vtkSurfaceMesh;
 
 namespace vtkSurfaceRegion
 {
+/// One per point of the input: 1 for selected points and points of selected cells.
+/// @throw std::invalid_argument for selections that need ParaView's query language
+std::vector<char> SelectedPoints(vtkPolyData* input, vtkSelection* selection);
+
 /// 1 for mesh points that may move: where the array is not 0 and that the selection takes, by
 /// itself or by one of its cells. Of coincident points one is enough: they move together or not at
 /// all. Empty when there is neither array nor selection.

@@ -751,6 +751,8 @@ void Properties(Checker& check)
   RoundTrip(Anchor, 0, 1);
   OnOff(WeldCoincidentPoints, true);
   RoundTrip(InitialGuess, 0, 1);
+  OnOff(RefineLongEdges, false);
+  RoundTrip(MaximumEdgeLength, 0.04, 0.1);
   OnOff(ReproduceThesis, false);
   RoundTrip(OutputPointsPrecision, vtkAlgorithm::DEFAULT_PRECISION, vtkAlgorithm::DOUBLE_PRECISION);
   RoundTrip(NumberOfThreads, 0, 2);
@@ -765,6 +767,8 @@ void Properties(Checker& check)
   Clamped(NormalBlend, 1.5, 1.0);
   Clamped(DetailSize, -1.0, 0.0);
   Clamped(DetailSize, 1.0, 0.2);
+  Clamped(MaximumEdgeLength, 0.0, 0.001);
+  Clamped(MaximumEdgeLength, 2.0, 1.0);
   Clamped(BorderWidth, -1.0, 0.0);
   Clamped(CenterBlendWidth, 2.0, 1.0);
   Clamped(Tolerance, 0.0, 1e-14);
@@ -808,13 +812,13 @@ void Properties(Checker& check)
 
   std::ostringstream printed;
   filter->Print(printed);
-  for (const char* name :
-    { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode", "Radius", "DetailSize",
-      "SphericalWeighting", "ConcaveEdges", "EdgeWeighting", "StopRule", "Tolerance",
-      "MaximumNumberOfIterations", "Acceleration", "Anchor", "WeldCoincidentPoints", "InitialGuess",
-      "ReproduceThesis", "OutputPointsPrecision", "NumberOfThreads", "GenerateTargetDirection",
-      "GenerateDisplacement", "GenerateNormals", "GenerateCellEnergy", "GenerateRotation",
-      "NumberOfIterations", "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius" })
+  for (const char* name : { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode",
+         "Radius", "DetailSize", "SphericalWeighting", "ConcaveEdges", "EdgeWeighting", "StopRule",
+         "Tolerance", "MaximumNumberOfIterations", "Acceleration", "Anchor", "WeldCoincidentPoints",
+         "InitialGuess", "RefineLongEdges", "MaximumEdgeLength", "ReproduceThesis",
+         "OutputPointsPrecision", "NumberOfThreads", "GenerateTargetDirection",
+         "GenerateDisplacement", "GenerateNormals", "GenerateCellEnergy", "GenerateRotation",
+         "NumberOfIterations", "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius" })
   {
     check(Contains(printed.str(), std::string(" ") + name + ": "),
       std::string("PrintSelf should print ") + name);

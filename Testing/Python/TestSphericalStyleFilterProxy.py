@@ -73,6 +73,20 @@ fixed = SphericalStyle(Input=weighted, RoundnessFactorArray=["POINTS", "still"])
 UpdatePipeline(proxy=fixed)
 assert all(abs(a - b) < 1e-6 for a, b in zip(bounds(fixed), bounds(long_sphere))), bounds(fixed)
 
+# -------------------------------------------------------------------------------- long edges split
+coarse = Sphere(ThetaResolution=4, PhiResolution=4)
+refined = SphericalStyle(Input=coarse)
+assert refined.RefineLongEdges == 0 and refined.MaximumEdgeLength == 0.04
+UpdatePipeline(proxy=refined)
+assert refined.PointData.GetArray("RefinedPoint") is None
+before = refined.GetDataInformation().GetNumberOfPoints()
+refined.RefineLongEdges = 1
+refined.MaximumEdgeLength = 0.1
+UpdatePipeline(proxy=refined)
+assert refined.GetDataInformation().GetNumberOfPoints() > 10 * before
+assert refined.PointData.GetArray("RefinedPoint").GetRange() == (0.0, 1.0)
+assert refined.CellData.GetArray("OriginalCell").GetNumberOfComponents() == 1
+
 # ------------------------------------------------------------------------------- nonlinear feature
 nonlinear = SphericalStyle(Input=long_sphere)
 assert nonlinear.Feature == "Linear" and nonlinear.CenterConstraint == "Corrected"
