@@ -233,6 +233,7 @@ void vtkSphericalStyleFilter::Internals::Refine(
     return;
   }
   self->SetProgressText("Refining");
+  self->UpdateProgress(0.01);
   const auto find = [&](int index, const char* purpose)
   {
     return vtkSurfaceMeshConversion::FindPointArray(

@@ -4,8 +4,10 @@
 
     PYTHONPATH=BUILD/lib/python3/dist-packages pvpython make_pictures.py [NAME ...]
 
-NAME: pictures to make, as car for car.png; all without one.
+NAME: pictures to make, as car for car.png; all without one. van.png needs the folder of real models
+SPHERICALSTYLE_MODELS, and stays as it is without.
 """
+import os
 import pathlib
 import sys
 
@@ -201,6 +203,19 @@ picture("car.png", (1200, 560), [[
     (proxied(car, Blend=0.2), "t = 0.2"),
     (proxied(car, Blend=0.2, Transfer=1), "t = 0.2, Transfer Offset"),
 ]], 40.0, 14)
+
+# A real model, and so not among ours; the page names its source.
+MODELS = pathlib.Path(os.environ.get("SPHERICALSTYLE_MODELS", ROOT.parent / "shared" / "models"))
+if (MODELS / "car.ply").is_file():
+    van = demo.read(MODELS / "car.ply")
+    style = {"Roundness": 1.0, "SphericalWeighting": vtkSphericalStyleFilter.COTANGENT}
+    picture("van.png", (1000, 620), [[
+        (van, "model"),
+        (proxied(van, Blend=0.5), "Convex Proxy Deform, t = 0.5"),
+    ], [
+        (rounded(van, **style), "Spherical Style, Roundness 1"),
+        (rounded(van, RefineLongEdges=True, **style), "with RefineLongEdges"),
+    ]], 60.0, 16)
 
 picture("axis-gain.png", (1000, 330), [[
     (proxied(car), "t = 0.5"),
