@@ -195,7 +195,20 @@ void OpenAndNonManifold(Checker& check)
   check(CoincidentPoints(three.Output()).empty(), "no point should be there twice");
 }
 
-/// A sheet of four triangles around its middle, cut from there to the border at y = 0 and to
+/// Two faces on the same points share what is on their edges, and nothing inside.
+void TwoSides(Checker& check)
+{
+  check.About("a panel with two sides");
+  const Surface panel =
+    MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0.3, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 1 } });
+  Refining filter(panel);
+  CheckRefined(check, panel, filter, 0.1);
+  const auto twins = CoincidentPoints(filter.Output());
+  check(twins.size() > 10, "the insides should be apart");
+  check(LengthOfEdges(filter.Output(), 1) == 0.0, "there should be no border");
+}
+
+/// A sheet of five triangles around its middle, cut from there to the border at y = 0 and to
 /// nowhere else: points 1 and 5 are at one place, with different texture coordinates.
 Surface CutSheet()
 {
@@ -427,6 +440,8 @@ void Arrays(Checker& check)
       i < 8 ? HUGE_VAL : 1e-6, "error of the length of a normal");
   }
   check(out->GetScalars() && std::string(out->GetScalars()->GetName()) == "scalars", "scalars");
+  check(SameArray(PointArray(box, "short"), PointArray(output, "short")),
+    "an array without a value for every point should stay");
   check(SameArrays(box->GetFieldData(), output->GetFieldData()), "field data should come along");
   check(!out->GetGlobalIds() && out->HasArray("ids"), "ids of two points are not global");
   check(output->GetCellData()->GetPedigreeIds() != nullptr, "but cells can have one origin");
@@ -703,6 +718,7 @@ int TestSphericalStyleFilterRefine(int, char*[])
   Checker check;
   ClosedSurface(check);
   OpenAndNonManifold(check);
+  TwoSides(check);
   Seams(check);
   Cells(check);
   NothingLong(check);
