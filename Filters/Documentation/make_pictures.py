@@ -208,13 +208,12 @@ picture("car.png", (1200, 560), [[
 MODELS = pathlib.Path(os.environ.get("SPHERICALSTYLE_MODELS", ROOT.parent / "shared" / "models"))
 if (MODELS / "car.ply").is_file():
     van = demo.read(MODELS / "car.ply")
-    style = {"Roundness": 1.0, "SphericalWeighting": vtkSphericalStyleFilter.COTANGENT}
     picture("van.png", (1000, 620), [[
         (van, "model"),
         (proxied(van, Blend=0.5), "Convex Proxy Deform, t = 0.5"),
     ], [
-        (rounded(van, **style), "Spherical Style, Roundness 1"),
-        (rounded(van, RefineLongEdges=True, **style), "with RefineLongEdges"),
+        (rounded(van, Roundness=1.0), "Spherical Style, Roundness 1"),
+        (rounded(van, Roundness=1.0, RefineLongEdges=True), "with RefineLongEdges"),
     ]], 60.0, 16)
 
 picture("axis-gain.png", (1000, 330), [[
