@@ -68,6 +68,8 @@ def rounded(surface, roundness):
     style = vtkSphericalStyleFilter()
     style.SetInputData(surface)
     style.SetRoundness(roundness)
+    style.SetSphericalWeightingToUniform()  # weights and center of the thesis
+    style.SetCenterModeToPointMean()
     style.SetOutputPointsPrecision(1)
     style.Update()
     return style.GetOutput()

@@ -49,7 +49,9 @@ def execute(filter_, surface, **properties):
 
 
 def style(surface, **properties):
-    return execute(vtkSphericalStyleFilter(), surface, OutputPointsPrecision=1, **properties).GetOutput()
+    """Rounded, with weights and center of the thesis."""
+    return execute(vtkSphericalStyleFilter(), surface, OutputPointsPrecision=1, SphericalWeighting=0,
+                   CenterMode=0, **properties).GetOutput()
 
 
 def measures(surface, reference=None, **properties):
