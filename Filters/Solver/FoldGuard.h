@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Less roundness where the surface would fold or run through itself [guard].
+#ifndef SphericalStyle_FoldGuard_h
+#define SphericalStyle_FoldGuard_h
+
+#include "TriangleMesh.h"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace SphericalStyle
+{
+/// Pairs (f, g), f < g, in order, of triangles that run through each other. Every triangle that it
+/// is given has an area. See Geometry/SelfIntersections.
+using IntersectionSearch = std::function<std::vector<std::array<int, 2>>(const TriangleMesh&)>;
+
+/// Solves with lambda_i times shares(i), n shares in 0..1, and gives the n deformed points; no
+/// point when somebody asked to end. The same shares give the same bits. n shares of exactly 1 are
+/// the solve without a guard.
+using ShareSolve = std::function<Points(const Eigen::VectorXd& shares)>;
+
+/// What is wrong with a deformed surface.
+struct Folds
+{
+  int turnedOver = 0;         ///< triangles, see TurnedOver in DeformationMeasures.h
+  int newPairs = 0;           ///< of intersecting triangles that did not intersect at rest
+  std::vector<int> triangles; ///< all that are meant by either, ascending
+
+  bool Any() const { return !this->triangles.empty(); }
+};
+
+/// Looks for folds of one rest surface in any number of deformed ones.
+class FoldFinder
+{
+public:
+  /// @param rest  every triangle has an area; kept by reference, must outlive this
+  /// @param singlePrecision  look at the points rounded to float, as they will be written
+  FoldFinder(
+    const TriangleMesh& rest, IntersectionSearch search, bool singlePrecision, int threads);
+
+  /// Triangles without an area in Q have no side and meet nothing. The rest shape is searched once,
+  /// when first something intersects in a Q. @param Q  n x 3
+  Folds Find(const Points& Q);
+
+private:
+  std::vector<std::array<int, 2>> Pairs(const Points& Q, const std::vector<int>& triangles) const;
+  std::vector<std::array<int, 2>> NewPairs(const std::vector<std::array<int, 2>>& pairs);
+  Points Written(const Points& Q) const;
+
+  const TriangleMesh& Rest;
+  IntersectionSearch Search;
+  bool SinglePrecision;
+  int Threads;
+  std::optional<std::vector<std::array<int, 2>>> RestPairs;
+};
+
+struct FoldGuardOptions
+{
+  int lowerings = 12;           ///< most rounds of less lambda
+  int raisings = 12;            ///< most rounds of more where there is room
+  int blends = 8;               ///< most rounds of the last resort, then again as many
+  bool singlePrecision = false; ///< see FoldFinder
+  int threads = 1;
+};
+
+struct FoldGuardReport
+{
+  Points positions;       ///< n x 3: of the last solve, or nearer to the rest shape (blended)
+  Eigen::VectorXd shares; ///< n, above 0 to 1: of lambda, what remained; of the last solve
+  Folds before;           ///< with all of lambda
+  Folds after;            ///< none, unless aborted
+  int solves = 0;
+  bool blended = false; ///< the last resort was needed
+  bool aborted = false; ///< somebody asked to end: there are no positions
+};
+
+/// Deforms without folds [guard]. Where triangles turn over or newly intersect, lambda is halved
+/// and the model solved again, at most `lowerings` times; then it grows again where that brings
+/// nothing back. Shares differ by no more than a factor of 2 over 4 % of the diagonal along the
+/// edges. If folds are left, the result goes back to the rest shape, first where they are and then
+/// all over: there it has none.
+/// @param rest  every triangle has an area
+/// Cost: at most lowerings + raisings + 1 solves and searches, 2 * blends searches more with the
+/// last resort, and one solve if the last trial was not the best; one of each where nothing folds.
+FoldGuardReport SolveWithoutFolds(const TriangleMesh& rest, const FoldGuardOptions& options,
+  const IntersectionSearch& search, const ShareSolve& solve);
+} // namespace SphericalStyle
+
+#endif

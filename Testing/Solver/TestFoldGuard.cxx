@@ -1,0 +1,334 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The guard against folds [guard]: what is counted, that nothing is left, how much roundness stays,
+// and its ways out. Intersections are found here by brute force; those of CGAL are guarded with the
+// filter, Testing/Cxx/TestSphericalStyleFilterFoldGuard.cxx.
+#include "Check.h"
+#include "DeformationMeasures.h"
+#include "FoldGuard.h"
+#include "Meshes.h"
+#include "StyleSolver.h"
+#include "SurfaceMeasures.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+
+using namespace SphericalStyle;
+using Eigen::Vector3d;
+
+namespace
+{
+using Pair = std::array<int, 2>;
+
+// Whether the segment ab goes through the inside of the triangle f.
+bool Pierces(const TriangleMesh& mesh, int a, int b, int f)
+{
+  const Vector3d p = mesh.P.row(mesh.F(f, 0));
+  Eigen::Matrix3d M;
+  M.col(0) = mesh.P.row(mesh.F(f, 1)).transpose() - p;
+  M.col(1) = mesh.P.row(mesh.F(f, 2)).transpose() - p;
+  M.col(2) = (mesh.P.row(a) - mesh.P.row(b)).transpose();
+  const Vector3d x = M.fullPivLu().solve(mesh.P.row(a).transpose() - p);
+  return x.minCoeff() >= 0.0 && x(0) + x(1) <= 1.0 && x(2) <= 1.0;
+}
+
+// Triangles without a common point of which an edge of one pierces the other.
+std::vector<Pair> BruteForce(const TriangleMesh& mesh)
+{
+  std::vector<Pair> pairs;
+  for (int f = 0; f < mesh.F.rows(); ++f)
+  {
+    const Eigen::Matrix3d A = mesh.P(mesh.F.row(f).transpose(), Eigen::all);
+    for (int g = f + 1; g < mesh.F.rows(); ++g)
+    {
+      const Eigen::Matrix3d B = mesh.P(mesh.F.row(g).transpose(), Eigen::all);
+      bool apart = (A.colwise().maxCoeff().array() < B.colwise().minCoeff().array()).any() ||
+        (B.colwise().maxCoeff().array() < A.colwise().minCoeff().array()).any();
+      for (const int i : mesh.F.row(f))
+      {
+        apart = apart || (mesh.F.row(g).array() == i).any();
+      }
+      for (int k = 0; k < 3 && !apart; ++k)
+      {
+        if (Pierces(mesh, mesh.F(f, k), mesh.F(f, (k + 1) % 3), g) ||
+          Pierces(mesh, mesh.F(g, k), mesh.F(g, (k + 1) % 3), f))
+        {
+          pairs.push_back({ f, g });
+          break;
+        }
+      }
+    }
+  }
+  return pairs;
+}
+
+std::vector<Pair> NoPairs(const TriangleMesh&)
+{
+  return {};
+}
+
+// Two balls with a waist.
+TriangleMesh Dumbbell()
+{
+  TriangleMesh mesh = Meshes::EllipsoidUV(16, 17);
+  for (Eigen::Index i = 0; i < mesh.P.rows(); ++i)
+  {
+    const double z = mesh.P(i, 2) / 0.5;
+    mesh.P.row(i).head<2>() *= 0.3 + 0.7 * z * z;
+    mesh.P(i, 2) *= 3.0;
+  }
+  return mesh;
+}
+
+StyleOptions Strong(double lambda = 5.0)
+{
+  StyleOptions options;
+  options.lambda = lambda;
+  options.normalBlend = 1.0;
+  return options;
+}
+
+// The solver as a function of the shares; counts its solves.
+ShareSolve SolveOf(StyleSolver& solver, const StyleOptions& options, int& solves)
+{
+  return [&solver, options, &solves](const Eigen::VectorXd& shares)
+  {
+    ++solves;
+    StyleOptions shared = options;
+    shared.roundnessFactors = shares;
+    solver.Solve(shared);
+    return solver.GetPositions();
+  };
+}
+
+// Turned over and, without the guard's own finder, pierced.
+int CountFolds(const TriangleMesh& rest, const Points& Q)
+{
+  return CountTurnedOver(rest.P, Q, rest.F, SurfaceRotations(rest, Q, 1)) +
+    static_cast<int>(BruteForce({ Q, rest.F }).size());
+}
+
+// Moves a point along the ball, to behind one of its neighbours.
+void DrawOver(const TriangleMesh& ball, int point, Points& Q)
+{
+  for (Eigen::Index f = 0; f < ball.F.rows(); ++f)
+  {
+    if (ball.F(f, 0) == point)
+    {
+      const double radius = Q.row(point).norm();
+      Q.row(point) = (2.2 * Q.row(ball.F(f, 1)) - 1.2 * Q.row(point)).normalized() * radius;
+      return;
+    }
+  }
+}
+
+double WeightedMean(const TriangleMesh& mesh, const Eigen::VectorXd& x)
+{
+  const Eigen::VectorXd areas = PointAreas(mesh.P, mesh.F);
+  return areas.dot(x) / areas.sum();
+}
+
+void TestFinder()
+{
+  const TriangleMesh rest = Meshes::Icosphere(1);
+  FoldFinder clean(rest, NoPairs, false, 1);
+  CHECK(!clean.Find(rest.P).Any(), "the rest shape has no folds");
+  CHECK(!clean.Find(3.0 * rest.P).Any(), "nor has a larger one");
+
+  // One point drawn over its neighbour: triangles at it turn over.
+  Points pushed = rest.P;
+  DrawOver(rest, 7, pushed);
+  const Folds folds = clean.Find(pushed);
+  const std::vector<char> over =
+    TurnedOver(rest.P, pushed, rest.F, SurfaceRotations(rest, pushed, 1));
+  std::vector<int> expected;
+  for (std::size_t f = 0; f < over.size(); ++f)
+  {
+    if (over[f])
+    {
+      expected.push_back(static_cast<int>(f));
+    }
+  }
+  CHECK(!expected.empty() && folds.triangles == expected, "the triangles that turned over");
+  CHECK(folds.turnedOver == static_cast<int>(expected.size()) && folds.newPairs == 0, "counts");
+
+  // Pairs that are there at rest do not count, in numbers of the whole mesh even where a triangle
+  // lost its area before them.
+  Points flat = rest.P;
+  flat.row(rest.F(0, 0)) = flat.row(rest.F(0, 1));
+  bool sawDegenerate = false;
+  FoldFinder some(
+    rest,
+    [&](const TriangleMesh& mesh) -> std::vector<Pair>
+    {
+      for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+      {
+        sawDegenerate |= IsDegenerate(
+          mesh.P.row(mesh.F(f, 0)), mesh.P.row(mesh.F(f, 1)), mesh.P.row(mesh.F(f, 2)));
+      }
+      const int last = static_cast<int>(mesh.F.rows()) - 1;
+      return mesh.F.rows() == rest.F.rows() ? std::vector<Pair>{ { 20, last }, { 21, last } }
+                                            : std::vector<Pair>{ { 1, last }, { 2, last } };
+    },
+    false, 1);
+  CHECK(!some.Find(2.0 * rest.P).Any(), "pairs of the rest shape are not new");
+  const Folds mapped = some.Find(flat);
+  const int last = static_cast<int>(rest.F.rows()) - 1;
+  CHECK(!sawDegenerate, "triangles without an area should not be searched");
+  CHECK(mapped.newPairs == 2 && mapped.triangles.back() == last,
+    "two new pairs with triangle " << last << " expected, not " << mapped.newPairs);
+
+  bool rounded = true;
+  FoldFinder single(
+    rest,
+    [&](const TriangleMesh& mesh)
+    {
+      rounded = rounded && mesh.P == Points(mesh.P.cast<float>().cast<double>());
+      return std::vector<Pair>();
+    },
+    true, 1);
+  single.Find(rest.P / 3.0);
+  CHECK(rounded, "with single precision the points that are written should be searched");
+}
+
+// Nothing folds: one solve with all of lambda, and its bits.
+void TestClean()
+{
+  const TriangleMesh mesh = Meshes::Ellipsoid(2);
+  StyleSolver solver;
+  solver.SetMesh(mesh);
+  StyleOptions options = Strong(0.5);
+  options.normalBlend = 0.0;
+  solver.Solve(options);
+  const Points unguarded = solver.GetPositions();
+  int solves = 0;
+  const FoldGuardReport report =
+    SolveWithoutFolds(mesh, {}, BruteForce, SolveOf(solver, options, solves));
+  CHECK(report.positions == unguarded, "the bits should be those without a guard");
+  CHECK(solves == 1 && report.solves == 1, "one solve expected, not " << solves);
+  CHECK((report.shares.array() == 1.0).all(), "all of lambda should stay");
+  CHECK(!report.before.Any() && !report.after.Any() && !report.blended, "no folds");
+}
+
+void TestDumbbell()
+{
+  const TriangleMesh mesh = Dumbbell();
+  StyleSolver solver;
+  solver.SetMesh(mesh);
+  int solves = 0;
+  const ShareSolve solve = SolveOf(solver, Strong(), solves);
+  const Eigen::VectorXd all = Eigen::VectorXd::Ones(mesh.P.rows());
+  const int folds = CountFolds(mesh, solve(all));
+  CHECK(CountFolds(mesh, mesh.P) == 0 && folds > 100, "unguarded it should fold, in " << folds);
+
+  solves = 0;
+  const FoldGuardOptions options;
+  const FoldGuardReport report = SolveWithoutFolds(mesh, options, BruteForce, solve);
+  CHECK(report.before.Any() && !report.after.Any() && !report.blended && !report.aborted,
+    "folds before, none after, by less lambda alone");
+  CHECK(CountFolds(mesh, report.positions) == 0, "counted without the guard there are none");
+  CHECK(report.solves == solves && solves <= options.lowerings + options.raisings + 2,
+    "solves are bounded and counted: " << solves);
+  CHECK(report.shares.minCoeff() > 0.0 && report.shares.maxCoeff() <= 1.0, "shares in 0..1");
+  CHECK(solve(report.shares) == report.positions, "the shares are those of the result, to the bit");
+
+  // Smooth: a factor of 2 over 4 % of the diagonal along every edge.
+  const double diagonal = (mesh.P.colwise().maxCoeff() - mesh.P.colwise().minCoeff()).norm();
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int u = mesh.F(f, k), v = mesh.F(f, (k + 1) % 3);
+      const double octaves = std::abs(std::log2(report.shares(u) / report.shares(v)));
+      const double allowed = (mesh.P.row(u) - mesh.P.row(v)).norm() / (0.04 * diagonal);
+      CHECK(octaves <= allowed + 1e-9, "slope along " << u << ", " << v << ": " << octaves);
+    }
+  }
+
+  // More is kept than the largest share without folds that is the same everywhere.
+  double kept = 0.0;
+  double tooMuch = 1.0;
+  for (int k = 0; k < 10; ++k)
+  {
+    const double share = kept > 0.0 ? std::sqrt(kept * tooMuch) : tooMuch / 4.0;
+    (CountFolds(mesh, solve(share * all)) == 0 ? kept : tooMuch) = share;
+  }
+  const double mean = WeightedMean(mesh, report.shares);
+  CHECK(mean > 1.5 * kept, "mean share " << mean << " beside " << kept << " everywhere");
+
+  const FoldGuardReport again = SolveWithoutFolds(mesh, options, BruteForce, solve);
+  CHECK(again.positions == report.positions && again.shares == report.shares &&
+      again.solves == report.solves,
+    "the same bits again");
+  FoldGuardOptions threads;
+  threads.threads = 3;
+  CHECK(SolveWithoutFolds(mesh, threads, BruteForce, solve).positions == report.positions,
+    "the same bits with three threads");
+}
+
+// A solve that folds whatever the shares are: the way back to the rest shape.
+void TestLastResort()
+{
+  const TriangleMesh mesh = Meshes::Icosphere(2);
+  Points pushed = 1.5 * mesh.P;
+  DrawOver(mesh, 11, pushed);
+  const FoldGuardOptions options;
+  const FoldGuardReport local =
+    SolveWithoutFolds(mesh, options, BruteForce, [&](const Eigen::VectorXd&) { return pushed; });
+  CHECK(local.blended && local.before.Any() && !local.after.Any(), "the last resort was needed");
+  CHECK(local.solves == options.lowerings + 1, "after every lowering, not " << local.solves);
+  CHECK(CountFolds(mesh, local.positions) == 0, "no folds are left");
+  CHECK(((local.positions - pushed).rowwise().norm().array() == 0.0).count() > mesh.P.rows() / 2,
+    "far from the fold nothing should change");
+
+  // Folds wherever it is not the rest shape: exactly that.
+  const auto search = [&](const TriangleMesh& other) -> std::vector<Pair> {
+    return other.P == mesh.P ? std::vector<Pair>() : std::vector<Pair>{ { 0, 9 } };
+  };
+  const FoldGuardReport rest =
+    SolveWithoutFolds(mesh, options, search, [&](const Eigen::VectorXd&) { return pushed; });
+  CHECK(
+    rest.blended && rest.positions == mesh.P && !rest.after.Any(), "the rest shape, to the bit");
+
+  // Folds from half of the way on: nearly half of the way.
+  const auto half = [&](const TriangleMesh& other) -> std::vector<Pair>
+  {
+    return (other.P - mesh.P).rowwise().norm().maxCoeff() > 0.2501 ? std::vector<Pair>{ { 0, 9 } }
+                                                                   : std::vector<Pair>();
+  };
+  const Points larger = 1.5 * mesh.P;
+  const FoldGuardReport way =
+    SolveWithoutFolds(mesh, options, half, [&](const Eigen::VectorXd&) { return larger; });
+  const double moved = (way.positions - mesh.P).rowwise().norm().maxCoeff();
+  CHECK(way.blended && moved > 0.24 && moved <= 0.2501, "moved by " << moved << " of 0.25");
+}
+
+void TestAbort()
+{
+  const TriangleMesh mesh = Dumbbell();
+  StyleSolver solver;
+  solver.SetMesh(mesh);
+  int solves = 0;
+  const ShareSolve solve = SolveOf(solver, Strong(), solves);
+  for (const int last : { 0, 1, 3 })
+  {
+    solves = 0;
+    const FoldGuardReport report = SolveWithoutFolds(mesh, {}, BruteForce,
+      [&](const Eigen::VectorXd& shares) { return solves < last ? solve(shares) : Points(0, 3); });
+    CHECK(report.aborted && report.solves == last && report.positions.rows() == 0,
+      "aborted after " << last << " solves");
+  }
+}
+}
+
+int main()
+{
+  TestFinder();
+  TestClean();
+  TestDumbbell();
+  TestLastResort();
+  TestAbort();
+  return CheckResult();
+}
