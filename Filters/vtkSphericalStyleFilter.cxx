@@ -4,6 +4,7 @@
 
 #include "NonlinearFeature.h"
 #include "vtkFilterSupport.h"
+#include "vtkFoldGuard.h"
 #include "vtkLongEdges.h"
 #include "vtkStyleHistory.h"
 #include "vtkSurfaceMeshConversion.h"
@@ -175,6 +176,7 @@ struct vtkSphericalStyleFilter::Internals
 {
   SphericalStyle::StyleSolver Solver;
   SphericalStyle::NonlinearFeature Nonlinear;
+  vtkFoldGuard::Result Guarded; // of this execution, empty without the guard
 
   struct Inputs
   {
@@ -189,19 +191,24 @@ struct vtkSphericalStyleFilter::Internals
   /// @param surface  of the model, before and after; what it says to warn of is of the input
   static void Refine(vtkSphericalStyleFilter* self, Inputs& inputs, vtkSurfaceMesh& surface);
   static SphericalStyle::LoopOptions MakeLoopOptions(const vtkSphericalStyleFilter* self);
+  static bool IsGuarded(const vtkSphericalStyleFilter* self)
+  {
+    return self->AvoidSelfIntersections && !self->ReproduceThesis;
+  }
   static SphericalStyle::StyleOptions MakeOptions(vtkSphericalStyleFilter* self,
     const vtkSurfaceMesh& surface, const Inputs& inputs, const std::vector<char>& region);
   static SphericalStyle::NonlinearOptions MakeNonlinearOptions(vtkSphericalStyleFilter* self,
     const vtkSurfaceMesh& surface, const Inputs& inputs, const std::vector<char>& region);
-  /// Runs the feature on what there is to solve. @param Q  the moved points
+  /// Runs the feature on what there is to solve.
+  /// @param regionWeights  how much moves, n, or none for all @param Q  the moved points
   SphericalStyle::StyleReport Solve(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
-    const Inputs& inputs, const std::vector<char>& region, const SphericalStyle::Callback& callback,
-    Points& Q);
-  static void Warn(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
-    const SphericalStyle::StyleReport& report);
+    const Inputs& inputs, const std::vector<char>& region, const Eigen::VectorXd& regionWeights,
+    const SphericalStyle::Callback& callback, Points& Q);
+  void Warn(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
+    const SphericalStyle::StyleReport& report) const;
   void WarnOfNonlinear(
     vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const;
-  static void SetFacts(vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report);
+  void SetFacts(vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const;
   void AttachArrays(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
     const Eigen::VectorXd& regionWeights, vtkPolyData* input, vtkPolyData* output) const;
 };
@@ -323,6 +330,11 @@ SphericalStyle::NonlinearOptions vtkSphericalStyleFilter::Internals::MakeNonline
   const std::vector<char>& region)
 {
   using namespace SphericalStyle;
+  if (IsGuarded(self))
+  {
+    throw std::invalid_argument(
+      "AvoidSelfIntersections works with Feature Linear only: take Linear, or switch it off");
+  }
   if (!region.empty() || inputs.Centers ||
     !FindCenterIds(self->GetInputArrayInformation(CENTER_ID), surface, inputs.Model).Values.empty())
   {
@@ -344,29 +356,50 @@ SphericalStyle::NonlinearOptions vtkSphericalStyleFilter::Internals::MakeNonline
 
 SphericalStyle::StyleReport vtkSphericalStyleFilter::Internals::Solve(vtkSphericalStyleFilter* self,
   const vtkSurfaceMesh& surface, const Inputs& inputs, const std::vector<char>& region,
-  const SphericalStyle::Callback& callback, Points& Q)
+  const Eigen::VectorXd& regionWeights, const SphericalStyle::Callback& callback, Points& Q)
 {
+  const SphericalStyle::TriangleMesh& mesh = surface.Mesh;
+  const auto finish = [&](const Points& solved) -> Points
+  {
+    return regionWeights.size() > 0 ? mesh.P + regionWeights.asDiagonal() * (solved - mesh.P)
+                                    : solved;
+  };
   // Options are made, and arrays checked, even if there is nothing to solve.
   const auto run = [&](auto& solver, const auto& options)
   {
     SphericalStyle::StyleReport report;
-    if (surface.Mesh.F.rows() > 0)
+    if (mesh.F.rows() > 0)
     {
-      self->SetProgressText("Rounding");
-      self->UpdateProgress(0.1);
-      solver.SetMesh(surface.Mesh);
+      solver.SetMesh(mesh);
       report = solver.Solve(options, callback);
-      Q = solver.GetPositions();
+      Q = finish(solver.GetPositions());
     }
     return report;
   };
-  return self->Feature == NONLINEAR
-    ? run(this->Nonlinear, MakeNonlinearOptions(self, surface, inputs, region))
-    : run(this->Solver, MakeOptions(self, surface, inputs, region));
+  if (mesh.F.rows() > 0)
+  {
+    self->SetProgressText("Rounding");
+    self->UpdateProgress(0.1);
+  }
+  if (self->Feature == NONLINEAR)
+  {
+    return run(this->Nonlinear, MakeNonlinearOptions(self, surface, inputs, region));
+  }
+  const SphericalStyle::StyleOptions options = MakeOptions(self, surface, inputs, region);
+  if (!IsGuarded(self) || mesh.F.rows() == 0)
+  {
+    return run(this->Solver, options);
+  }
+  const int type =
+    vtkSurfaceMeshConversion::OutputPointType(inputs.Model, self->OutputPointsPrecision);
+  this->Guarded =
+    vtkFoldGuard::Solve(this->Solver, options, mesh, type == VTK_FLOAT, finish, callback);
+  Q = this->Guarded.Positions;
+  return this->Guarded.Style;
 }
 
 void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
-  const vtkSurfaceMesh& surface, const SphericalStyle::StyleReport& report)
+  const vtkSurfaceMesh& surface, const SphericalStyle::StyleReport& report) const
 {
   const auto warn = [self](const std::string& text) { vtkWarningWithObjectMacro(self, << text); };
   for (const std::string& remark : vtkSurfaceMeshConversion::Remarks(surface))
@@ -383,6 +416,11 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
   if (surface.Mesh.F.rows() > 0 && !report.loop.converged && !report.loop.aborted)
   {
     warn(vtkStyleHistory::NotConverged(report));
+  }
+  if (this->Guarded.Guard.blended)
+  {
+    warn("AvoidSelfIntersections: less roundness alone did not remove all folds; the result was "
+         "moved back toward the input where they were, or all over");
   }
 }
 
@@ -407,7 +445,7 @@ void vtkSphericalStyleFilter::Internals::WarnOfNonlinear(
 }
 
 void vtkSphericalStyleFilter::Internals::SetFacts(
-  vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report)
+  vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const
 {
   const SphericalStyle::LoopReport& loop = report.loop;
   self->NumberOfIterations = loop.iterations;
@@ -415,6 +453,12 @@ void vtkSphericalStyleFilter::Internals::SetFacts(
   self->FinalEnergy = loop.history.empty() ? 0.0 : loop.history.back().energy.Total();
   std::copy_n(report.sphere.center.data(), 3, self->EffectiveCenter);
   self->EffectiveRadius = report.sphere.radius;
+  const SphericalStyle::FoldGuardReport& guard = this->Guarded.Guard;
+  const bool counted = this->Guarded.HasCounted();
+  self->TurnedOverBefore = counted ? guard.before.turnedOver : NotCounted;
+  self->TurnedOverAfter = counted ? guard.after.turnedOver : NotCounted;
+  self->NewIntersectionsBefore = counted ? guard.before.newPairs : NotCounted;
+  self->NewIntersectionsAfter = counted ? guard.after.newPairs : NotCounted;
 }
 
 void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* self,
@@ -437,6 +481,10 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
   if (regionWeights.size() > 0)
   {
     AddPointArray(output, surface, "RegionWeight", VTK_DOUBLE, regionWeights);
+  }
+  if (this->Guarded.Roundness.size() > 0)
+  {
+    AddPointArray(output, surface, "RemainingRoundness", VTK_DOUBLE, this->Guarded.Roundness);
   }
   if (self->GenerateCellEnergy)
   {
@@ -530,7 +578,7 @@ int vtkSphericalStyleFilter::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   SphericalStyle::StyleReport report;
-  Internals::SetFacts(this, report);
+  this->Internal->SetFacts(this, report);
   if (!inputs.Model || inputs.Model->GetNumberOfPoints() == 0)
   {
     return 1;
@@ -546,21 +594,19 @@ int vtkSphericalStyleFilter::RequestData(
     Internals::Refine(this, inputs, surface);
     const std::vector<char> region = vtkSurfaceRegion::Marks(
       this->GetInputArrayInformation(REGION_MASK), inputs.Selection, inputs.Model, surface);
+    if (!region.empty())
+    {
+      regionWeights = vtkSurfaceRegion::Weights(
+        surface.Mesh.P, region, this->BorderWidth, ThreadsToUse(this->NumberOfThreads));
+    }
     report = this->Internal->Solve(
-      this, surface, inputs, region,
+      this, surface, inputs, region, regionWeights,
       [this](int iteration, double)
       {
         this->UpdateProgress(1.0 - 0.8 / (1.0 + 0.1 * iteration));
         return !Aborted(this);
       },
       Q);
-    if (Q.rows() > 0 && !region.empty())
-    {
-      const Points& P = surface.Mesh.P;
-      regionWeights = vtkSurfaceRegion::Weights(
-        P, region, this->BorderWidth, ThreadsToUse(this->NumberOfThreads));
-      Q = P + regionWeights.asDiagonal() * (Q - P);
-    }
   }
   catch (const std::exception& error)
   {
@@ -573,12 +619,14 @@ int vtkSphericalStyleFilter::RequestData(
     output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);
   this->Internal->AttachArrays(this, surface, regionWeights, inputs.Model, output);
   vtkStyleHistory::Fill(history, report, "Spherical");
-  Internals::Warn(this, surface, report);
+  vtkFoldGuard::Fill(history, this->Internal->Guarded);
+  this->Internal->Warn(this, surface, report);
   if (this->Feature == NONLINEAR && Q.rows() > 0)
   {
     this->Internal->WarnOfNonlinear(this, report);
   }
-  Internals::SetFacts(this, report);
+  this->Internal->SetFacts(this, report);
+  this->Internal->Guarded = {};
   return 1;
 }
 
@@ -599,6 +647,7 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CenterBlendWidth: " << this->CenterBlendWidth << "\n";
   os << indent << "SphericalWeighting: " << this->SphericalWeighting << "\n";
   os << indent << "ConcaveEdges: " << this->ConcaveEdges << "\n";
+  os << indent << "AvoidSelfIntersections: " << OnOff(this->AvoidSelfIntersections) << "\n";
   os << indent << "EdgeWeighting: " << this->EdgeWeighting << "\n";
   os << indent << "StopRule: " << this->StopRule << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
@@ -623,4 +672,8 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FinalEnergy: " << this->FinalEnergy << "\n";
   os << indent << "EffectiveCenter: " << Triple(this->EffectiveCenter) << "\n";
   os << indent << "EffectiveRadius: " << this->EffectiveRadius << "\n";
+  os << indent << "TurnedOverBefore: " << this->TurnedOverBefore << "\n";
+  os << indent << "TurnedOverAfter: " << this->TurnedOverAfter << "\n";
+  os << indent << "NewIntersectionsBefore: " << this->NewIntersectionsBefore << "\n";
+  os << indent << "NewIntersectionsAfter: " << this->NewIntersectionsAfter << "\n";
 }

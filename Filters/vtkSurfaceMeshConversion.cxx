@@ -593,15 +593,20 @@ void AddDisplacement(vtkPolyData* output, vtkPolyData* input)
   output->GetPointData()->AddArray(displacement);
 }
 
+int OutputPointType(vtkPolyData* input, int precision)
+{
+  if (precision == vtkAlgorithm::DEFAULT_PRECISION)
+  {
+    return input->GetPoints()->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE;
+  }
+  return precision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE;
+}
+
 void ReplacePoints(vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q,
   int precision, bool generateNormals)
 {
   vtkPoints* before = output->GetPoints();
-  int type = precision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE;
-  if (precision == vtkAlgorithm::DEFAULT_PRECISION)
-  {
-    type = before->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE;
-  }
+  const int type = OutputPointType(output, precision);
   vtkNew<vtkPoints> points;
   points->SetDataType(type);
   points->SetNumberOfPoints(before->GetNumberOfPoints());

@@ -104,6 +104,10 @@ void AddPointArray(
 /// The array Displacement: output minus input point, in the number type of the output's points.
 void AddDisplacement(vtkPolyData* output, vtkPolyData* input);
 
+/// VTK_FLOAT or VTK_DOUBLE: the number type of the output's points.
+/// @param precision  vtkAlgorithm::DesiredOutputPrecision
+int OutputPointType(vtkPolyData* input, int precision);
+
 /// Gives the output (a shallow copy of the input) the moved points Q and what follows from them:
 /// point normals if it had some or `generate` is set, cell normals if it had some. Points that do
 /// not move keep their bits, or the nearest of the new number type, and so do normals of points

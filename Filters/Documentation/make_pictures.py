@@ -16,12 +16,14 @@ import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 from vtkmodules.util import numpy_support
-from vtkmodules.vtkFiltersCore import vtkThreshold
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkThreshold
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper
 
 matplotlib.use("Agg")
+
+BLUE, YELLOW, RED = (0.16, 0.27, 0.62), (0.98, 0.84, 0.20), (0.80, 0.12, 0.10)
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -258,6 +260,48 @@ picture("house.png", (1200, 330), [[
     (on_sphere(house, Coefficient=0.5), "sphere around the model, t = 0.5"),
 ]], 25.0, 13)
 
+
+def by_share(surface):
+    """In clay, or colored by the array log2 share if there is one."""
+    actor = demo.actor_of(surface)
+    if surface.GetPointData().HasArray("log2 share"):
+        colors = vtkColorTransferFunction()
+        for at, color in ((-9.0, BLUE), (-4.5, YELLOW), (0.0, RED)):
+            colors.AddRGBPoint(at, *color)
+        normals = vtkPolyDataNormals()
+        normals.SetFeatureAngle(60.0)
+        normals.SetInputData(surface)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(normals.GetOutputPort())
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.SelectColorArray("log2 share")
+        mapper.SetLookupTable(colors)
+        mapper.UseLookupTableScalarRangeOn()
+        actor.SetMapper(mapper)
+    return actor
+
+
+def with_share(surface, roundness):
+    """A copy with the array log2 share."""
+    remaining = numpy_support.vtk_to_numpy(surface.GetPointData().GetArray("RemainingRoundness"))
+    share = numpy_support.numpy_to_vtk(np.log2(remaining / roundness), deep=True)
+    share.SetName("log2 share")
+    copy = surface.NewInstance()
+    copy.ShallowCopy(surface)
+    copy.GetPointData().AddArray(share)
+    return copy
+
+
+if wanted("fold-guard.png"):
+    strong = {"Roundness": 5.0, "NormalBlend": 1.0}
+    guarded = rounded(creature, AvoidSelfIntersections=1, **strong)
+    picture("fold-guard.png", (1200, 360), [[
+        (creature, "model"),
+        (rounded(creature, **strong), "Roundness 5, NormalBlend 1"),
+        (guarded, "with AvoidSelfIntersections"),
+        (with_share(guarded, 5.0), "kept: blue 1/500, yellow 1/22, red all"),
+    ]], 25.0, 13, few_colors=False, make_actor=by_share)
+
 # ------------------------------------------------------------------------------------ SurfaceMetrics
 
 
@@ -284,7 +328,6 @@ picture("self-intersections.png", (1200, 420), [[
 ]], 25.0, 14)
 
 # ------------------------------------------------------------------------------------------ GaussMap
-BLUE, YELLOW, RED = (0.16, 0.27, 0.62), (0.98, 0.84, 0.20), (0.80, 0.12, 0.10)
 
 
 def painted(sphere, array, often):

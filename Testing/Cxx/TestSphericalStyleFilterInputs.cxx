@@ -743,6 +743,7 @@ void Properties(Checker& check)
   RoundTrip(CenterBlendWidth, 0.02, 0.2);
   RoundTrip(SphericalWeighting, 1, 0);
   RoundTrip(ConcaveEdges, 0, 2);
+  OnOff(AvoidSelfIntersections, false);
   RoundTrip(EdgeWeighting, 0, 1);
   RoundTrip(StopRule, 0, 2);
   RoundTrip(Tolerance, 1e-4, 1e-6);
@@ -812,13 +813,15 @@ void Properties(Checker& check)
 
   std::ostringstream printed;
   filter->Print(printed);
-  for (const char* name : { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode",
-         "Radius", "DetailSize", "SphericalWeighting", "ConcaveEdges", "EdgeWeighting", "StopRule",
-         "Tolerance", "MaximumNumberOfIterations", "Acceleration", "Anchor", "WeldCoincidentPoints",
-         "InitialGuess", "RefineLongEdges", "MaximumEdgeLength", "ReproduceThesis",
-         "OutputPointsPrecision", "NumberOfThreads", "GenerateTargetDirection",
-         "GenerateDisplacement", "GenerateNormals", "GenerateCellEnergy", "GenerateRotation",
-         "NumberOfIterations", "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius" })
+  for (const char* name :
+    { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode", "Radius", "DetailSize",
+      "SphericalWeighting", "ConcaveEdges", "EdgeWeighting", "StopRule", "Tolerance",
+      "MaximumNumberOfIterations", "Acceleration", "Anchor", "WeldCoincidentPoints", "InitialGuess",
+      "RefineLongEdges", "MaximumEdgeLength", "ReproduceThesis", "OutputPointsPrecision",
+      "NumberOfThreads", "GenerateTargetDirection", "GenerateDisplacement", "GenerateNormals",
+      "GenerateCellEnergy", "GenerateRotation", "NumberOfIterations", "Converged", "FinalEnergy",
+      "EffectiveCenter", "EffectiveRadius", "AvoidSelfIntersections", "TurnedOverBefore",
+      "TurnedOverAfter", "NewIntersectionsBefore", "NewIntersectionsAfter" })
   {
     check(Contains(printed.str(), std::string(" ") + name + ": "),
       std::string("PrintSelf should print ") + name);

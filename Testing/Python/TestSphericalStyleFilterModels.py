@@ -5,8 +5,8 @@
 usage: TestSphericalStyleFilterModels.py [--models DIR] [section ...]
 
 DIR (or $SPHERICALSTYLE_MODELS) holds spot.ply, bunny.ply and so on; without it the script leaves
-with 77, which ctest takes for "skipped". Sections: energy nonlinear nonlinear-time thesis converged sphere blend detail time;
-all of them when none is named. Every figure is printed, every claim is checked.
+with 77, which ctest takes for "skipped". Sections: energy nonlinear nonlinear-time thesis converged sphere blend detail time
+foldguard; all of them when none is named. Every figure is printed, every claim is checked.
 """
 import argparse
 import os
@@ -14,11 +14,13 @@ import sys
 import time
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-from sphericalstyle import vtkSphericalStyleFilter
+from sphericalstyle import vtkSphericalStyleFilter, vtkSurfaceMetrics
 
 LAMBDAS = (0.1, 0.5, 5.0)
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
@@ -294,8 +296,70 @@ def timing():
     check(np.median(first) < 1.5 and np.median(moved) < 0.5, "first result below 1.5 s, moved centre below .5 s")
 
 
+# -- no folds -------------------------------------------------------------------------------------
+def measures(surface, reference):
+    """The numbers of vtkSurfaceMetrics."""
+    f = vtkSurfaceMetrics()
+    f.SetInputData(surface)
+    f.SetReferenceData(reference)
+    f.Update()
+    columns = (f.GetOutputDataObject(1).GetColumn(i) for i in range(f.GetOutputDataObject(1).GetNumberOfColumns()))
+    return {c.GetName(): c.GetValue(0) for c in columns if c.GetNumberOfComponents() == 1}
+
+
+def stretched(surface, factors):
+    copy = vtkPolyData()
+    copy.DeepCopy(surface)
+    moved = vtkPoints()
+    moved.SetData(numpy_to_vtk(np.ascontiguousarray(points(surface) * factors), deep=True))
+    copy.SetPoints(moved)
+    return copy
+
+
+def area_weights(surface):
+    """Share of the area at each point, a third of each triangle to each corner."""
+    x, F = points(surface), triangles(surface)
+    areas = np.linalg.norm(np.cross(x[F[:, 1]] - x[F[:, 0]], x[F[:, 2]] - x[F[:, 0]]), axis=1)
+    weights = sum(np.bincount(F[:, k], areas, len(x)) for k in range(3))
+    return weights / weights.sum()
+
+
+def foldguard():
+    for name in ("tetrahedron", "tangram-prism", "stone-house", "spot", "bunny"):
+        surface = read(name)
+        if name == "tetrahedron":
+            name, surface = "stretched tetrahedron", stretched(surface, (1.8, 1.0, 0.3))
+        settings = dict(Roundness=5.0, NormalBlend=1.0, OutputPointsPrecision=2)
+        rest, before = measures(surface, surface), measures(style(surface, **settings).GetOutput(), surface)
+        f = style(surface, AvoidSelfIntersections=1, **settings)
+        after = measures(f.GetOutput(), surface)
+        field = f.GetOutputDataObject(1).GetFieldData()
+        shares = vtk_to_numpy(f.GetOutput().GetPointData().GetArray("RemainingRoundness")) / 5.0
+        mean = (area_weights(surface) * shares).sum()
+        print(f"  {name}: turned over {before['TurnedOver']} -> {after['TurnedOver']}, new pairs "
+              f"{before['NewSelfIntersectionPairs']} -> {after['NewSelfIntersectionPairs']}; of lambda remain "
+              f"{100 * mean:.2g} % in the mean, {100 * shares.min():.2g} % at least; sphericity at rest "
+              f"{rest['Sphericity']:.3f}, unguarded {before['Sphericity']:.3f}, guarded {after['Sphericity']:.3f}; "
+              f"{field.GetAbstractArray('GuardSolves').GetValue(0)} solves, "
+              f"{field.GetAbstractArray('GuardSeconds').GetValue(0):.1f} s")
+        check(before["TurnedOver"] + before["NewSelfIntersectionPairs"] > 0, f"{name}: unguarded it folds")
+        check(after["TurnedOver"] == 0, f"{name}: no triangle turned over")
+        check(after["NewSelfIntersectionPairs"] == 0, f"{name}: no new intersection")
+        check((f.GetTurnedOverBefore(), f.GetNewIntersectionsBefore())
+              == (before["TurnedOver"], before["NewSelfIntersectionPairs"]), f"{name}: counts of the filter")
+
+        # The largest lambda without folds that is the same everywhere, within a factor of 1.2.
+        low, high = 1e-4, 1.0
+        while high > 1.2 * low:
+            share = np.sqrt(low * high)
+            m = measures(style(surface, **{**settings, "Roundness": 5.0 * share}).GetOutput(), surface)
+            low, high = (low, share) if m["TurnedOver"] + m["NewSelfIntersectionPairs"] > 0 else (share, high)
+        print(f"    one lambda for all points: {100 * low:.2g} %, {mean / low:.1f} times less")
+        check(mean > high, f"{name}: more remains than of one lambda for all")
+
+
 SECTIONS = {"energy": energy, "nonlinear": nonlinear, "nonlinear-time": nonlinear_time, "thesis": thesis, "converged": converged, "sphere": sphere,
-            "blend": blend, "detail": detail, "time": timing}
+            "blend": blend, "detail": detail, "time": timing, "foldguard": foldguard}
 parser = argparse.ArgumentParser()
 parser.add_argument("--models", default=os.environ.get("SPHERICALSTYLE_MODELS", ""))
 parser.add_argument("sections", nargs="*", choices=[[], *SECTIONS])

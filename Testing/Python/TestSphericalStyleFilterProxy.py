@@ -29,6 +29,7 @@ UpdatePipeline(proxy=long_sphere)
 rounded = SphericalStyle(Input=long_sphere)
 assert rounded.Roundness == 0.5 and rounded.DetailSize == 0.0 and rounded.NormalBlend == 0.0
 assert rounded.CenterMode == "Area Centroid" and rounded.RadiusMode == "Equal Area"
+assert rounded.AvoidSelfIntersections == 0
 assert rounded.StopRule == "Converged" and rounded.OutputPointsPrecision == "Default"
 for array in (rounded.NormalsArray, rounded.RoundnessFactorArray, rounded.NormalBlendArray,
               rounded.TargetDirectionsArray):
@@ -62,6 +63,8 @@ assert fact("Converged") == 1, fact("Converged")
 assert fact("FinalEnergy") == filter_.GetFinalEnergy() > 0
 assert list(fact("EffectiveCenter")) == [0.0, 0.0, 0.1], list(fact("EffectiveCenter"))
 assert fact("EffectiveRadius") == 0.7, fact("EffectiveRadius")
+for name in ("TurnedOverBefore", "TurnedOverAfter", "NewIntersectionsBefore", "NewIntersectionsAfter"):
+    assert fact(name) == -1, (name, fact(name))
 table = servermanager.Fetch(rounded, idx=1)
 assert table.GetClassName() == "vtkTable"
 assert table.GetNumberOfRows() == fact("NumberOfIterations") + 1

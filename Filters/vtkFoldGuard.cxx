@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFoldGuard.h"
+
+#ifdef SPHERICALSTYLE_WITH_CGAL
+#include "SelfIntersections.h"
+#endif
+#include "Stopwatch.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkTable.h"
+
+#include <stdexcept>
+
+using namespace SphericalStyle;
+
+namespace
+{
+IntersectionSearch Search()
+{
+#ifdef SPHERICALSTYLE_WITH_CGAL
+  return &SelfIntersections;
+#else
+  throw std::invalid_argument("AvoidSelfIntersections needs CGAL, and this library was built "
+                              "without it: switch it off");
+#endif
+}
+
+/// lambda of each point, as the solver takes it.
+Eigen::VectorXd Roundness(const StyleOptions& options, Eigen::Index n)
+{
+  return options.roundnessFactors.size() > 0
+    ? Eigen::VectorXd(options.lambda * options.roundnessFactors)
+    : Eigen::VectorXd::Constant(n, options.lambda);
+}
+
+StyleOptions WithShares(StyleOptions options, const Eigen::VectorXd& shares)
+{
+  if ((shares.array() < 1.0).any()) // or else the options as they are: the same bits
+  {
+    options.roundnessFactors = Roundness(options, shares.size()).cwiseProduct(shares);
+    options.lambda = 1.0;
+  }
+  return options;
+}
+
+void AddBeforeAfter(vtkFieldData* data, const char* name, int before, int after)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(2);
+  array->SetComponentName(0, "Before");
+  array->SetComponentName(1, "After");
+  array->InsertNextTuple2(before, after);
+  data->AddArray(array);
+}
+}
+
+namespace vtkFoldGuard
+{
+Result Solve(StyleSolver& solver, const StyleOptions& options, const TriangleMesh& rest,
+  bool singlePrecision, const Finish& finish, const Callback& callback)
+{
+  const IntersectionSearch search = Search();
+  const Stopwatch watch;
+  Result result;
+  solver.SetMesh(rest);
+  int iterations = 0;
+  const Callback onward = [&](int, double change) { return callback(++iterations, change); };
+  const ShareSolve solve = [&](const Eigen::VectorXd& shares)
+  {
+    const StyleOptions shared = WithShares(options, shares);
+    result.Style = solver.Solve(shared, onward);
+    result.Roundness = Roundness(shared, shares.size());
+    // Closed forms have no iteration, and the search that comes takes longer than one.
+    const bool goOn = !result.Style.loop.aborted && onward(0, 0.0);
+    return goOn ? finish(solver.GetPositions()) : Points(0, 3);
+  };
+  FoldGuardOptions guard;
+  guard.singlePrecision = singlePrecision;
+  guard.threads = options.threads;
+  result.Guard = SolveWithoutFolds(rest, guard, search, solve);
+  result.Positions = result.Guard.aborted ? finish(solver.GetPositions()) : result.Guard.positions;
+  result.Seconds = watch.Seconds();
+  return result;
+}
+
+void Fill(vtkTable* table, const Result& result)
+{
+  if (!result.HasCounted())
+  {
+    return;
+  }
+  const FoldGuardReport& guard = result.Guard;
+  vtkFieldData* data = table->GetFieldData();
+  AddBeforeAfter(data, "TurnedOver", guard.before.turnedOver, guard.after.turnedOver);
+  AddBeforeAfter(data, "NewIntersectingPairs", guard.before.newPairs, guard.after.newPairs);
+  vtkNew<vtkIntArray> solves;
+  solves->SetName("GuardSolves");
+  solves->InsertNextValue(guard.solves);
+  data->AddArray(solves);
+  vtkNew<vtkDoubleArray> seconds;
+  seconds->SetName("GuardSeconds");
+  seconds->InsertNextValue(result.Seconds);
+  data->AddArray(seconds);
+}
+}

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The solver under the guard against folds, with CGAL's search for self-intersections. Private.
+#ifndef vtkFoldGuard_h
+#define vtkFoldGuard_h
+
+#include "FoldGuard.h"
+#include "StyleSolver.h"
+
+#include <functional>
+
+class vtkTable;
+
+namespace vtkFoldGuard
+{
+struct Result
+{
+  SphericalStyle::StyleReport Style; ///< of the last solve
+  SphericalStyle::FoldGuardReport Guard;
+  SphericalStyle::Points Positions; ///< those of the guard; where somebody asked to end, unguarded
+  Eigen::VectorXd Roundness;        ///< n, lambda that remained
+  double Seconds = 0.0;
+
+  /// Whether there was a guard, and nobody asked it to end.
+  bool HasCounted() const { return this->Guard.solves > 0 && !this->Guard.aborted; }
+};
+
+/// How solved points become those of the output.
+using Finish = std::function<SphericalStyle::Points(const SphericalStyle::Points&)>;
+
+/// @param callback  iterations are counted on over all solves
+/// @throw std::invalid_argument in a library without CGAL
+Result Solve(SphericalStyle::StyleSolver& solver, const SphericalStyle::StyleOptions& options,
+  const SphericalStyle::TriangleMesh& rest, bool singlePrecision, const Finish& finish,
+  const SphericalStyle::Callback& callback);
+
+/// What it did, as field data; nothing where it has not counted.
+void Fill(vtkTable* table, const Result& result);
+}
+
+#endif
