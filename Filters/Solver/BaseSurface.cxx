@@ -9,12 +9,19 @@
 
 namespace SphericalStyle
 {
-Eigen::MatrixXd SmoothFields(const Points& P, const MeshTopology& topology,
+namespace
+{
+Eigen::VectorXd AreasOr(const Eigen::VectorXd& areas, const Points& P, const MeshTopology& topology)
+{
+  return areas.size() > 0 ? areas : PointAreas(P, topology.GetTriangles());
+}
+}
+
+Eigen::MatrixXd SmoothFields(const Eigen::VectorXd& areas, const MeshTopology& topology,
   const HalfEdgeScalars& cotangents, double size, const Eigen::MatrixXd& X)
 {
-  const Eigen::VectorXd M = PointAreas(P, topology.GetTriangles());
-  EdgeMatrix matrix(topology, std::vector<char>(P.rows(), 0));
-  const SparseCholesky::Matrix& A = matrix.Assemble(size * size * cotangents, M);
+  EdgeMatrix matrix(topology, std::vector<char>(areas.size(), 0));
+  const SparseCholesky::Matrix& A = matrix.Assemble(size * size * cotangents, areas);
   SparseCholesky factor;
   factor.Analyze(A);
   factor.Factor(A);
@@ -26,7 +33,7 @@ Eigen::MatrixXd SmoothFields(const Points& P, const MeshTopology& topology,
     B.leftCols(columns) = X.middleCols(first, columns);
     for (int step = 0; step < 2; ++step)
     {
-      B = M.asDiagonal() * B;
+      B = areas.asDiagonal() * B;
       factor.Solve(B);
     }
     result.middleCols(first, columns) = B.leftCols(columns);
@@ -34,14 +41,15 @@ Eigen::MatrixXd SmoothFields(const Points& P, const MeshTopology& topology,
   return result;
 }
 
-Points SmoothBase(
-  const Points& P, const MeshTopology& topology, const HalfEdgeScalars& cotangents, double size)
+Points SmoothBase(const Points& P, const MeshTopology& topology, const HalfEdgeScalars& cotangents,
+  double size, const Eigen::VectorXd& areas)
 {
-  return SmoothFields(P, topology, cotangents, size, P);
+  return SmoothFields(AreasOr(areas, P, topology), topology, cotangents, size, P);
 }
 
 Eigen::MatrixXd CenterShares(const Points& P, const MeshTopology& topology,
-  const HalfEdgeScalars& cotangents, double size, const std::vector<int>& ids, int numberOfCenters)
+  const HalfEdgeScalars& cotangents, double size, const std::vector<int>& ids, int numberOfCenters,
+  const Eigen::VectorXd& areas)
 {
   Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(P.rows(), numberOfCenters);
   for (Eigen::Index i = 0; i < P.rows(); ++i)
@@ -51,7 +59,8 @@ Eigen::MatrixXd CenterShares(const Points& P, const MeshTopology& topology,
   if (size > 0.0)
   {
     // Obtuse triangles can bring a share below 0.
-    shares = SmoothFields(P, topology, cotangents, size, shares).cwiseMax(0.0);
+    const Eigen::VectorXd M = AreasOr(areas, P, topology);
+    shares = SmoothFields(M, topology, cotangents, size, shares).cwiseMax(0.0);
     shares.array().colwise() /= shares.rowwise().sum().array().eval();
   }
   return shares;

@@ -18,6 +18,7 @@ struct Entry
 };
 
 /// Entries column by column, rows ascending: those of column c at [offset[c], offset[c + 1]).
+/// Where both ends are one point there is none.
 std::vector<Entry> SortEntries(
   const Triangles& F, const std::vector<int>& rows, std::vector<int>& offset)
 {
@@ -27,9 +28,10 @@ std::vector<Entry> SortEntries(
     return std::minmax(
       { rows[F(h / 3, HalfEdgeStart(h % 3))], rows[F(h / 3, HalfEdgeEnd(h % 3))] });
   };
+  const auto below = [&](int h) { return ends(h).first >= 0 && ends(h).first != ends(h).second; };
   for (int h = 0; h < halfEdges; ++h)
   {
-    if (ends(h).first >= 0)
+    if (below(h))
     {
       ++offset[ends(h).first + 1];
     }
@@ -39,7 +41,7 @@ std::vector<Entry> SortEntries(
   std::vector<int> next(offset.begin(), offset.end() - 1);
   for (int h = 0; h < halfEdges; ++h)
   {
-    if (ends(h).first >= 0)
+    if (below(h))
     {
       entries[next[ends(h).first]++] = { ends(h).second, h };
     }
@@ -99,6 +101,10 @@ void EdgeMatrix::BuildPattern(const Triangles& F)
   {
     const auto f = static_cast<Eigen::Index>(h / 3);
     const int k = static_cast<int>(h % 3);
+    if (F(f, HalfEdgeStart(k)) == F(f, HalfEdgeEnd(k)))
+    {
+      continue;
+    }
     const int start = this->Rows[F(f, HalfEdgeStart(k))];
     const int end = this->Rows[F(f, HalfEdgeEnd(k))];
     this->HalfEdgeSlots[h].start = start < 0 ? -1 : this->DiagonalSlots[start];

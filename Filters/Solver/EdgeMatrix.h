@@ -11,7 +11,8 @@
 namespace SphericalStyle
 {
 /// A = diag(d) + sum_h k_h (x_u - x_v)^2, positive semidefinite sign (diagonal positive), rows and
-/// columns of fixed points removed. The pattern and where each half-edge adds are worked out once.
+/// columns of fixed points removed. Half-edges from a point to itself add nothing. The pattern and
+/// where each half-edge adds are worked out once.
 class EdgeMatrix
 {
 public:

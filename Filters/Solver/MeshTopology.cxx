@@ -22,7 +22,7 @@ HalfEdgeVectors HalfEdgeDifferences(const Points& x, const Triangles& F)
 
 namespace
 {
-void CheckTriangles(const Triangles& F, int n)
+void CheckTriangles(const Triangles& F, int n, RepeatedPoints repeated)
 {
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
@@ -32,7 +32,7 @@ void CheckTriangles(const Triangles& F, int n)
       throw std::invalid_argument(
         "triangle " + std::to_string(f) + " names a point outside the mesh");
     }
-    if (t(0) == t(1) || t(1) == t(2) || t(2) == t(0))
+    if (repeated == RepeatedPoints::Refused && (t(0) == t(1) || t(1) == t(2) || t(2) == t(0)))
     {
       throw std::invalid_argument("triangle " + std::to_string(f) + " uses a point twice");
     }
@@ -51,11 +51,11 @@ int Root(std::vector<int>& parent, int i)
 }
 }
 
-MeshTopology::MeshTopology(const Triangles& F, int numberOfPoints)
+MeshTopology::MeshTopology(const Triangles& F, int numberOfPoints, RepeatedPoints repeated)
   : F(F)
 {
   const int n = numberOfPoints;
-  CheckTriangles(this->F, n);
+  CheckTriangles(this->F, n, repeated);
 
   this->CornerOffset.assign(n + 1, 0);
   const int corners = static_cast<int>(this->F.size());

@@ -9,21 +9,30 @@
 
 namespace SphericalStyle
 {
+/// Whether triangles may use a point twice, as those of the energy may (EnergyTriangles).
+enum class RepeatedPoints
+{
+  Refused,
+  Allowed
+};
+
 class MeshTopology
 {
 public:
   MeshTopology() = default;
   /// @param F  m x 3 @param numberOfPoints  n
-  /// @throw std::invalid_argument for a corner outside 0..n-1, a triangle that uses a point twice,
-  ///        or a point of no triangle (its number is named).
-  MeshTopology(const Triangles& F, int numberOfPoints);
+  /// @throw std::invalid_argument for a corner outside 0..n-1, a triangle that uses a point twice
+  ///        where that is refused, or a point of no triangle (its number is named).
+  MeshTopology(
+    const Triangles& F, int numberOfPoints, RepeatedPoints repeated = RepeatedPoints::Refused);
 
   const Triangles& GetTriangles() const { return this->F; }
   int GetNumberOfPoints() const { return static_cast<int>(this->CornerOffset.size()) - 1; }
   int GetNumberOfTriangles() const { return static_cast<int>(this->F.rows()); }
 
   /// Corners (3 * triangle + k) at point i: GetCorners()[GetCornerOffset()[i] .. [i + 1]),
-  /// triangles ascending, so that sums over them have one order.
+  /// triangles ascending, so that sums over them have one order. A point that a triangle uses
+  /// twice has two corners of it.
   const std::vector<int>& GetCornerOffset() const { return this->CornerOffset; }
   const std::vector<int>& GetCorners() const { return this->Corners; }
 

@@ -358,10 +358,10 @@ void NonlinearFeature::SetMesh(const TriangleMesh& mesh)
   next->Set(mesh, change);
   if (change == MeshChange::Triangles)
   {
-    next->Corrected.SetTopology(next->Topology);
+    next->Corrected.SetTopology(next->Surface.Topology);
   }
-  next->Corrected.SetCotangents(next->Cotangents);
-  next->Rings = OneRings(next->Topology, next->Cotangents);
+  next->Corrected.SetCotangents(next->Surface.Cotangents);
+  next->Rings = OneRings(next->Surface.Topology, next->Surface.Cotangents);
   this->S = std::move(next);
 }
 

@@ -31,12 +31,12 @@ void SolverMesh::Set(const TriangleMesh& mesh, MeshChange change)
   this->Given = mesh;
   if (change == MeshChange::Triangles)
   {
-    this->Topology = MeshTopology(mesh.F, static_cast<int>(mesh.P.rows()));
+    this->Surface.Topology = MeshTopology(mesh.F, static_cast<int>(mesh.P.rows()));
   }
   this->MeshFrame = FrameOf(mesh.P);
   this->P = this->MeshFrame.Into(mesh.P);
-  this->Cotangents = HalfEdgeCotangents(this->P, mesh.F);
-  if (!this->Cotangents.allFinite())
+  this->Surface.Cotangents = HalfEdgeCotangents(this->P, mesh.F);
+  if (!this->Surface.Cotangents.allFinite())
   {
     throw std::invalid_argument("a triangle has no area");
   }

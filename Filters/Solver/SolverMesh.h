@@ -5,8 +5,8 @@
 #ifndef SphericalStyle_SolverMesh_h
 #define SphericalStyle_SolverMesh_h
 
+#include "EnergyTriangles.h"
 #include "Frame.h"
-#include "MeshTopology.h"
 
 namespace SphericalStyle
 {
@@ -24,8 +24,7 @@ struct SolverMesh
   TriangleMesh Given; ///< as given, to recognise it
   Frame MeshFrame;
   Points P;
-  MeshTopology Topology;
-  HalfEdgeScalars Cotangents;
+  EnergyTriangles Surface; ///< the triangles as given
 
   /// @throw std::invalid_argument for a mesh without triangles or with points that are not finite
   MeshChange Compare(const TriangleMesh& mesh) const;

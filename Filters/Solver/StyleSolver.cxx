@@ -169,7 +169,10 @@ private:
 class StyleSolver::State : public SolverMesh
 {
 public:
-  // Depends on the mesh.
+  // Depends on the mesh and on what shapes the energy's triangles.
+  bool HasTriangles = false;
+  EnergyTriangleOptions Shape;
+  EnergyTriangles Reshaped; // empty where the energy keeps the surface's
   HalfEdgeVectors Edges;
   Points RestMeans;
   // Depends on detail size too.
@@ -190,6 +193,14 @@ public:
   Points Positions;
   Matrices R;
 
+  /// The triangles of the energy. Areas, normals and spheres are those of the surface.
+  const EnergyTriangles& Summed() const
+  {
+    return this->Shape.KeepSurface() ? this->Surface : this->Reshaped;
+  }
+  const Triangles& SummedTriangles() const { return this->Summed().Topology.GetTriangles(); }
+
+  void UpdateTriangles(const EnergyTriangleOptions& options);
   void UpdateBase(double detailSize);
   void UpdateShares(const StyleOptions& options);
   std::vector<Sphere> Spheres(const StyleOptions& options) const;
@@ -222,11 +233,42 @@ void StyleSolver::SetMesh(const TriangleMesh& mesh)
   auto next = change == MeshChange::Points ? std::move(this->S) : std::make_unique<State>();
   this->S = std::make_unique<State>(); // empty, should a line below throw
   next->Set(mesh, change);
-  next->Edges = HalfEdgeDifferences(next->P, mesh.F);
-  next->RestMeans = next->Topology.ComponentMeans(next->P);
-  next->BaseSize = -1.0;
-  next->CenterIds.clear();
+  next->HasTriangles = false;
   this->S = std::move(next);
+}
+
+namespace
+{
+EnergyTriangleOptions ShapeOf(const StyleOptions&)
+{
+  return {};
+}
+}
+
+void StyleSolver::State::UpdateTriangles(const EnergyTriangleOptions& options)
+{
+  if (this->HasTriangles && options == this->Shape)
+  {
+    return;
+  }
+  this->HasTriangles = false;
+  // Ordering and symbolic factor stay with the triangles that they were made for.
+  bool replaced = options.KeepSurface() != this->Shape.KeepSurface();
+  this->Shape = options;
+  if (options.KeepSurface())
+  {
+    this->Reshaped = {};
+  }
+  else
+  {
+    replaced |= UpdateEnergyTriangles(this->P, this->Surface, options, this->Reshaped);
+  }
+  this->HasGlobal &= !replaced;
+  this->Edges = HalfEdgeDifferences(this->P, this->SummedTriangles());
+  this->RestMeans = this->Summed().Topology.ComponentMeans(this->P);
+  this->BaseSize = -1.0;
+  this->CenterIds.clear();
+  this->HasTriangles = true;
 }
 
 void StyleSolver::State::UpdateBase(double detailSize)
@@ -236,9 +278,14 @@ void StyleSolver::State::UpdateBase(double detailSize)
     return;
   }
   this->BaseSize = -1.0;
-  // The frame's diagonal is 1, so the fraction is the length.
-  this->Base =
-    detailSize > 0.0 ? SmoothBase(this->P, this->Topology, this->Cotangents, detailSize) : this->P;
+  this->Base = this->P;
+  if (detailSize > 0.0)
+  {
+    const EnergyTriangles& triangles = this->Summed();
+    // The frame's diagonal is 1, so the fraction is the length.
+    this->Base = SmoothBase(this->P, triangles.Topology, triangles.Cotangents, detailSize,
+      PointAreas(this->P, this->Given.F));
+  }
   this->BaseSize = detailSize;
 }
 
@@ -253,8 +300,9 @@ void StyleSolver::State::UpdateShares(const StyleOptions& options)
   this->Shares.resize(this->P.rows(), 0);
   if (centers > 1)
   {
-    this->Shares = CenterShares(
-      this->P, this->Topology, this->Cotangents, options.centerBlend, options.centerIds, centers);
+    const EnergyTriangles& triangles = this->Summed();
+    this->Shares = CenterShares(this->P, triangles.Topology, triangles.Cotangents,
+      options.centerBlend, options.centerIds, centers, PointAreas(this->P, this->Given.F));
   }
   this->CenterIds = options.centerIds;
   this->CenterBlend = options.centerBlend;
@@ -301,7 +349,7 @@ Points StyleSolver::State::Directions(
   {
     return options.targets;
   }
-  Points d = CenterDirections(this->Base, this->Topology, center, onCenter);
+  Points d = CenterDirections(this->Base, this->Surface.Topology, center, onCenter);
   const Eigen::VectorXd a = options.normalBlends.size() > 0
     ? options.normalBlends
     : Eigen::VectorXd::Constant(n, options.normalBlend);
@@ -318,11 +366,12 @@ HalfEdgeVectors StyleSolver::State::Targets(const StyleOptions& options, StyleRe
 {
   report.spheres = this->Spheres(options);
   report.sphere = report.spheres.front();
-  HalfEdgeVectors tau = HalfEdgeVectors::Zero(this->Given.F.rows(), 9);
+  const Triangles& F = this->SummedTriangles();
+  HalfEdgeVectors tau = HalfEdgeVectors::Zero(F.rows(), 9);
   if (report.spheres.size() == 1)
   {
     this->T = this->Directions(options, report.sphere.center, report.pointsOnCenter);
-    AddEdgeTargets(this->T, report.sphere.radius, {}, this->Given.F, tau);
+    AddEdgeTargets(this->T, report.sphere.radius, {}, F, tau);
     return tau;
   }
   this->T = Points::Zero(this->P.rows(), 3);
@@ -332,7 +381,7 @@ HalfEdgeVectors StyleSolver::State::Targets(const StyleOptions& options, StyleRe
     const Eigen::VectorXd omega = this->Shares.col(static_cast<Eigen::Index>(k));
     std::vector<int> onCenter;
     const Points t = this->Directions(options, sphere.center, onCenter);
-    AddEdgeTargets(t, sphere.radius, omega, this->Given.F, tau);
+    AddEdgeTargets(t, sphere.radius, omega, F, tau);
     this->T += omega.asDiagonal() * t;
     report.pointsOnCenter.insert(report.pointsOnCenter.end(), onCenter.begin(), onCenter.end());
   }
@@ -343,7 +392,7 @@ void StyleSolver::State::UpdateGlobal(const std::vector<int>& fixedPoints)
 {
   if (!this->HasGlobal || fixedPoints != this->FixedPoints)
   {
-    this->Global = GlobalStep(this->Topology, fixedPoints);
+    this->Global = GlobalStep(this->Summed().Topology, fixedPoints);
     this->FixedPoints = fixedPoints;
     this->HasGlobal = true;
   }
@@ -370,26 +419,27 @@ void StyleSolver::State::StartFromBlend(double radius)
 void StyleSolver::State::BuildEnergy(const StyleOptions& options, StyleReport& report)
 {
   const Stopwatch watch;
-  const Triangles& F = this->Given.F;
+  const MeshTopology& topology = this->Summed().Topology;
+  const Triangles& F = topology.GetTriangles();
   Eigen::VectorXd lambda = Eigen::VectorXd::Constant(this->P.rows(), options.lambda);
   if (options.roundnessFactors.size() > 0)
   {
     lambda = options.lambda * options.roundnessFactors;
   }
   EdgeWeights weights = ComputeEdgeWeights(
-    this->Cotangents, F, lambda, options.edgeWeighting, options.sphericalWeighting);
+    this->Summed().Cotangents, F, lambda, options.edgeWeighting, options.sphericalWeighting);
   HalfEdgeVectors tau = this->Targets(options, report);
   if (options.detailSize > 0.0)
   {
     const HalfEdgeVectors baseEdges = HalfEdgeDifferences(this->Base, F);
     report.concaveHalfEdges = ChangeConcaveTargets(baseEdges, options.concaveEdges, tau);
-    this->Energy = StyleEnergy(this->Topology, std::move(weights), this->Edges,
-      this->Edges - baseEdges, std::move(tau), options.threads);
+    this->Energy = StyleEnergy(topology, std::move(weights), this->Edges, this->Edges - baseEdges,
+      std::move(tau), options.threads);
   }
   else
   {
     report.concaveHalfEdges = ChangeConcaveTargets(this->Edges, options.concaveEdges, tau);
-    this->Energy = StyleEnergy(this->Topology, std::move(weights), this->Edges, std::move(tau),
+    this->Energy = StyleEnergy(topology, std::move(weights), this->Edges, std::move(tau),
       HalfEdgeVectors(0, 9), options.threads);
   }
   report.seconds.weights = watch.Seconds();
@@ -443,6 +493,9 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   Require(s.P.rows() > 0, "there is no mesh: SetMesh was not called or has thrown");
   CheckOptions(options, static_cast<int>(s.P.rows()));
   StyleReport report;
+  const Stopwatch triangles;
+  s.UpdateTriangles(ShapeOf(options));
+  report.seconds.triangles = triangles.Seconds();
   const Stopwatch base;
   s.UpdateBase(options.detailSize);
   s.UpdateShares(options);

@@ -66,11 +66,12 @@ StyleOptions ThesisOptions(StyleOptions options);
 /// Wall time of the stages of one solve, seconds.
 struct StageSeconds
 {
-  double base = 0.0;    ///< smooth base of [detail], shares of several centers
-  double weights = 0.0; ///< cotangents, weights, targets
-  double analyze = 0.0; ///< matrix, ordering, symbolic factor
-  double factor = 0.0;  ///< numeric factor
-  double iterate = 0.0; ///< start and loop
+  double triangles = 0.0; ///< those of the energy, where they are not the surface's
+  double base = 0.0;      ///< smooth base of [detail], shares of several centers
+  double weights = 0.0;   ///< cotangents, weights, targets
+  double analyze = 0.0;   ///< matrix, ordering, symbolic factor
+  double factor = 0.0;    ///< numeric factor
+  double iterate = 0.0;   ///< start and loop
 };
 
 struct StyleReport
@@ -92,6 +93,7 @@ struct StyleReport
 /// |------------------------------------------|------------------------------------------|
 /// | triangles                                | all                                      |
 /// | points                                   | all but topology, ordering, symbolic     |
+/// | what shapes the energy's triangles       | all but the surface's own topology       |
 /// | lambda (uniform weights), edge weighting | matrix values, numeric factor, targets   |
 /// | lambda (cotangent weights)               | targets                                  |
 /// | fixed points                             | ordering, symbolic and numeric factor    |

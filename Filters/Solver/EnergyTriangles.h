@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The triangles that the energy is a sum over. They need not be those of the surface.
+#ifndef SphericalStyle_EnergyTriangles_h
+#define SphericalStyle_EnergyTriangles_h
+
+#include "MeshTopology.h"
+
+namespace SphericalStyle
+{
+/// Triangles with half a cotangent per half-edge. [energy] is nonnegative and falls in both steps
+/// whenever the three of each triangle are a positive semidefinite form, whatever points it joins:
+/// triangles may use a point twice (an edge from a point to itself is 0 long and adds nothing) or
+/// join points of several parts.
+struct EnergyTriangles
+{
+  MeshTopology Topology;
+  HalfEdgeScalars Cotangents; ///< m x 3
+};
+
+/// What the energy's triangles depend on besides the mesh.
+struct EnergyTriangleOptions
+{
+  bool operator==(const EnergyTriangleOptions&) const { return true; }
+  /// Whether the energy is summed over the surface's own triangles.
+  bool KeepSurface() const { return true; }
+};
+
+/// Makes the energy's triangles from the surface's, unless options.KeepSurface().
+/// @param P  n x 3, in the frame @param surface  the surface's triangles and their cotangents
+/// @param triangles  takes the result; its topology is left untouched where it fits already, so
+///        that what was built on it can be kept
+/// @return whether the topology was replaced
+bool UpdateEnergyTriangles(const Points& P, const EnergyTriangles& surface,
+  const EnergyTriangleOptions& options, EnergyTriangles& triangles);
+} // namespace SphericalStyle
+
+#endif
