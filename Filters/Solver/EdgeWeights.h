@@ -13,7 +13,10 @@ namespace SphericalStyle
 enum class EdgeWeighting
 {
   HalfEdge, ///< each triangle brings its own (Chao et al. 2010); E >= 0, never rises
-  FullEdge  ///< Eq. 4.13 and 4.22 to the letter; for reproduction
+  FullEdge, ///< Eq. 4.13 and 4.22 to the letter; for reproduction
+  /// As HalfEdge, on the intrinsic Delaunay triangles of the same surface: no edge between two of
+  /// them has a negative weight.
+  IntrinsicDelaunay
 };
 
 /// Weight of an edge in the spherical term.

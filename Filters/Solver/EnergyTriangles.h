@@ -16,15 +16,22 @@ namespace SphericalStyle
 struct EnergyTriangles
 {
   MeshTopology Topology;
-  HalfEdgeScalars Cotangents; ///< m x 3
+  HalfEdgeScalars Cotangents;    ///< m x 3
+  int NumberOfFlips = 0;         ///< of edges, from the surface's triangles
+  int NumberOfNegativeEdges = 0; ///< see IntrinsicTriangulation; 0 where there is none
 };
 
 /// What the energy's triangles depend on besides the mesh.
 struct EnergyTriangleOptions
 {
-  bool operator==(const EnergyTriangleOptions&) const { return true; }
+  bool intrinsicDelaunay = false; ///< the triangles of IntrinsicDelaunay
+
+  bool operator==(const EnergyTriangleOptions& other) const
+  {
+    return this->intrinsicDelaunay == other.intrinsicDelaunay;
+  }
   /// Whether the energy is summed over the surface's own triangles.
-  bool KeepSurface() const { return true; }
+  bool KeepSurface() const { return !this->intrinsicDelaunay; }
 };
 
 /// Makes the energy's triangles from the surface's, unless options.KeepSurface().

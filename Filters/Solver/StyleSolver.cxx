@@ -239,9 +239,11 @@ void StyleSolver::SetMesh(const TriangleMesh& mesh)
 
 namespace
 {
-EnergyTriangleOptions ShapeOf(const StyleOptions&)
+EnergyTriangleOptions ShapeOf(const StyleOptions& options)
 {
-  return {};
+  EnergyTriangleOptions shape;
+  shape.intrinsicDelaunay = options.edgeWeighting == EdgeWeighting::IntrinsicDelaunay;
+  return shape;
 }
 }
 
@@ -496,6 +498,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   const Stopwatch triangles;
   s.UpdateTriangles(ShapeOf(options));
   report.seconds.triangles = triangles.Seconds();
+  report.edgeFlips = s.Summed().NumberOfFlips;
   const Stopwatch base;
   s.UpdateBase(options.detailSize);
   s.UpdateShares(options);
@@ -516,7 +519,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   const bool fromBlend = options.initialGuess == InitialGuess::Blend && !options.localTerm;
   const bool closedForm = fromBlend && s.IsClosedForm(options, report);
   report.closedForm = closedForm && options.detailSize == 0.0 &&
-    options.edgeWeighting == EdgeWeighting::HalfEdge &&
+    options.edgeWeighting != EdgeWeighting::FullEdge &&
     options.loop.stopRule != StopRule::FixedIterations;
   LoopOptions loop = options.loop;
   if (report.closedForm)

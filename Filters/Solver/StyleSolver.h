@@ -82,6 +82,7 @@ struct StyleReport
   bool closedForm = false;         ///< the minimum was known: nothing was solved [blend]
   std::vector<int> pointsOnCenter; ///< points without a direction of their own
   int concaveHalfEdges = 0;        ///< flipped or zeroed
+  int edgeFlips = 0;               ///< from the surface's to the energy's triangles
   bool factored = false;           ///< whether this solve had to factor
   const char* linearSolver = "none";
   StageSeconds seconds;
@@ -93,7 +94,7 @@ struct StyleReport
 /// |------------------------------------------|------------------------------------------|
 /// | triangles                                | all                                      |
 /// | points                                   | all but topology, ordering, symbolic     |
-/// | what shapes the energy's triangles       | all but the surface's own topology       |
+/// | to or from intrinsic Delaunay triangles  | all but the surface's own topology       |
 /// | lambda (uniform weights), edge weighting | matrix values, numeric factor, targets   |
 /// | lambda (cotangent weights)               | targets                                  |
 /// | fixed points                             | ordering, symbolic and numeric factor    |

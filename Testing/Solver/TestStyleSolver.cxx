@@ -138,7 +138,7 @@ void TestSequences()
         options.concaveEdges = static_cast<ConcaveEdges>(pick(3));
         break;
       case 7:
-        options.edgeWeighting = static_cast<EdgeWeighting>(pick(2));
+        options.edgeWeighting = static_cast<EdgeWeighting>(pick(3));
         break;
       case 8:
         options.anchor = static_cast<Anchor>(pick(2));
