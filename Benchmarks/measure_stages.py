@@ -68,7 +68,7 @@ parser.add_argument("--detail-size", type=float, default=0.0)
 parser.add_argument("--proxy", action="store_true")
 parser.add_argument("meshes", nargs="*")
 arguments = parser.parse_args()
-heads = ["first", "centre", "lambda", "base", "weights", "analyze", "factor", "iterate", "iterations"]
+heads = ["first", "centre", "lambda", "base", "weights", "analyze", "factor", "iterate", "triangles", "iterations"]
 if arguments.proxy:
     heads = ["first", "other t", "proxy", "round", "project", "transfer", "proxy points"]
 print(f"{'mesh':20s} {'points':>8s} " + " ".join(f"{h:>12s}" for h in heads))

@@ -13,6 +13,17 @@
 
 namespace vtkStyleHistory
 {
+namespace
+{
+void AddCount(vtkFieldData* data, const char* name, int count)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->InsertNextValue(count);
+  data->AddArray(array);
+}
+}
+
 void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char* secondTerm)
 {
   using Row = SphericalStyle::HistoryRow;
@@ -44,7 +55,7 @@ void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char
   const SphericalStyle::StageSeconds& s = report.seconds;
   vtkFilterSupport::AddStageSeconds(table->GetFieldData(),
     { { "Base", s.base }, { "Weights", s.weights }, { "Analyze", s.analyze },
-      { "Factor", s.factor }, { "Iterate", s.iterate } });
+      { "Factor", s.factor }, { "Iterate", s.iterate }, { "Triangles", s.triangles } });
   vtkNew<vtkStringArray> solver;
   solver->SetName("LinearSolver");
   solver->InsertNextValue(report.linearSolver);
@@ -58,6 +69,11 @@ void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char
       sphere.center.x(), sphere.center.y(), sphere.center.z(), sphere.radius);
   }
   table->GetFieldData()->AddArray(spheres);
+  if (report.edgeFlips >= 0)
+  {
+    AddCount(table->GetFieldData(), "EdgeFlips", report.edgeFlips);
+    AddCount(table->GetFieldData(), "NegativeEdges", report.negativeEdges);
+  }
 }
 
 std::string NotConverged(const SphericalStyle::StyleReport& report)

@@ -16,9 +16,11 @@ namespace SphericalStyle
 struct EnergyTriangles
 {
   MeshTopology Topology;
-  HalfEdgeScalars Cotangents;    ///< m x 3
-  int NumberOfFlips = 0;         ///< of edges, from the surface's triangles
-  int NumberOfNegativeEdges = 0; ///< see IntrinsicTriangulation; 0 where there is none
+  HalfEdgeScalars Cotangents; ///< m x 3
+  /// Of IntrinsicTriangulation; -1 where it was not asked for. @{
+  int NumberOfFlips = -1;
+  int NumberOfNegativeEdges = -1;
+  /// @}
 };
 
 /// What the energy's triangles depend on besides the mesh.

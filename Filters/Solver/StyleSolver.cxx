@@ -499,6 +499,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   s.UpdateTriangles(ShapeOf(options));
   report.seconds.triangles = triangles.Seconds();
   report.edgeFlips = s.Summed().NumberOfFlips;
+  report.negativeEdges = s.Summed().NumberOfNegativeEdges;
   const Stopwatch base;
   s.UpdateBase(options.detailSize);
   s.UpdateShares(options);

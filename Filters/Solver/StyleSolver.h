@@ -82,7 +82,8 @@ struct StyleReport
   bool closedForm = false;         ///< the minimum was known: nothing was solved [blend]
   std::vector<int> pointsOnCenter; ///< points without a direction of their own
   int concaveHalfEdges = 0;        ///< flipped or zeroed
-  int edgeFlips = 0;               ///< from the surface's to the energy's triangles
+  int edgeFlips = -1;              ///< with IntrinsicDelaunay; -1 otherwise
+  int negativeEdges = -1;          ///< see IntrinsicTriangulation; -1 otherwise
   bool factored = false;           ///< whether this solve had to factor
   const char* linearSolver = "none";
   StageSeconds seconds;

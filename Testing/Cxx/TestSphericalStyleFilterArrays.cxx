@@ -541,6 +541,32 @@ void History(Checker& check, vtkPolyData* model)
 }
 
 //------------------------------------------------------------------------------------------------
+/// Other triangles inside: the output's cells are the input's, and the table tells of the flips.
+void IntrinsicDelaunay(Checker& check)
+{
+  const Surface model = MakeEllipsoid({ 4.0, 0.2, 1.0 });
+  WatchedFilter filter(model);
+  const auto count = [&](const char* name)
+  {
+    filter.Output();
+    vtkDataArray* array = filter->GetOutputDataObject(1)->GetFieldData()->GetArray(name);
+    return array ? array->GetComponent(0, 0) : -1.0;
+  };
+  check.About("EdgeWeighting");
+  check(count("EdgeFlips") == -1.0, "half edges should not tell of flips");
+  WatchedFilter half(model);
+  filter->SetEdgeWeightingToIntrinsicDelaunay();
+  check(!SamePoints(filter.Output(), half.Output()),
+    "IntrinsicDelaunay should change an obtuse ellipsoid");
+  check(count("EdgeFlips") > 0.0, "flips should be told");
+  check(count("NegativeEdges") == 0.0, "a closed surface should keep no negative edge");
+  check(filter->GetConverged(), "it should converge");
+  filter->SetSphericalWeightingToCotangent();
+  filter.Output();
+  check(filter->GetNumberOfIterations() == 0, "proportional weights should stay a closed form");
+}
+
+//------------------------------------------------------------------------------------------------
 void Thesis(Checker& check, vtkPolyData* model)
 {
   for (const double blend : { 0.0, 1.0 })
@@ -553,6 +579,7 @@ void Thesis(Checker& check, vtkPolyData* model)
     thesis->SetCenterModeToAreaCentroid();
     thesis->SetDetailSize(0.1);
     thesis->SetSphericalWeightingToCotangent();
+    thesis->SetEdgeWeightingToIntrinsicDelaunay();
     WatchedFilter byHand(model);
     byHand->SetNormalBlend(blend);
     byHand->SetEdgeWeightingToFullEdge();
@@ -692,6 +719,7 @@ int TestSphericalStyleFilterArrays(int argc, char* argv[])
   GivenNormals(check);
   RotationsAndEnergies(check, house);
   History(check, bottle);
+  IntrinsicDelaunay(check);
   Thesis(check, house);
   PerPointArrays(check, bottle, "bottle");
   PerPointArrays(check, icosahedron, "icosahedron");

@@ -744,7 +744,7 @@ void Properties(Checker& check)
   RoundTrip(SphericalWeighting, 1, 0);
   RoundTrip(ConcaveEdges, 0, 2);
   OnOff(AvoidSelfIntersections, false);
-  RoundTrip(EdgeWeighting, 0, 1);
+  RoundTrip(EdgeWeighting, 0, 2);
   RoundTrip(StopRule, 0, 2);
   RoundTrip(Tolerance, 1e-4, 1e-6);
   RoundTrip(MaximumNumberOfIterations, 200, 3);
@@ -775,6 +775,7 @@ void Properties(Checker& check)
   Clamped(Tolerance, 0.0, 1e-14);
   Clamped(MaximumNumberOfIterations, -1, 0);
   Clamped(CenterMode, 3, 2);
+  Clamped(EdgeWeighting, 3, 2);
   Clamped(NumberOfThreads, -1, 0);
 
   Mode(Feature, Linear, LINEAR, 0);
@@ -796,6 +797,7 @@ void Properties(Checker& check)
   Mode(ConcaveEdges, Zero, ZERO, 2);
   Mode(EdgeWeighting, HalfEdge, HALF_EDGE, 0);
   Mode(EdgeWeighting, FullEdge, FULL_EDGE, 1);
+  Mode(EdgeWeighting, IntrinsicDelaunay, INTRINSIC_DELAUNAY, 2);
   Mode(StopRule, Converged, CONVERGED, 0);
   Mode(StopRule, Thesis, THESIS, 1);
   Mode(StopRule, FixedIterations, FIXED_ITERATIONS, 2);

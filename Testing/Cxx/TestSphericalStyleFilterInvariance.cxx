@@ -277,6 +277,9 @@ private:
     filter->SetMaximumNumberOfIterations(200);
     filter->SetStopRuleToConverged();
     back("full edges");
+    filter->SetEdgeWeightingToIntrinsicDelaunay();
+    filter->SetDetailSize(0.05);
+    back("intrinsic Delaunay triangles");
     filter->SetInputData(Mapped(Model,
       [](const Vector& x) {
         return Vector{ x[0], 2 * x[1], x[2] };
