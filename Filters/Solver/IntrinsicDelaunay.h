@@ -33,9 +33,9 @@ struct IntrinsicTriangulation
 /// Lengths alone lose a sliver (at two angles of 1e-5 degrees its area hangs on the 15th digit of
 /// its edges), which is why implementations on lengths first make all edges a little longer (Sharp,
 /// Crane, A Laplacian for nonmanifold triangle meshes, 2020). Here each triangle carries its area
-/// besides, first from the points and then from flip to flip: two to eight more digits of the
-/// weights than by Heron's formula on squares with triangles of 1e-4 to 1e-8 degrees. So no edge
-/// has to change and the metric stays the surface's own; triangles without area must not come in.
+/// besides, first from the points and then from flip to flip: with triangles of 1e-5 to 1e-8
+/// degrees the weights have two to five digits more than by Heron's formula. So no edge has to
+/// change and the metric stays the surface's own; triangles without area must not come in.
 ///
 /// Deterministic. The number of flips is bounded by 100 per edge: where that ends it, the
 /// triangulation is valid but not Delaunay, and NumberOfNegativeEdges counts the rest.
