@@ -409,8 +409,9 @@ public:
 
   ///@{
   /**
-   * What stays in place, per connected component: Centroid (default) or LastPoint (thesis: the last
-   * point of the component).
+   * What stays in place, per connected component: Centroid (default; the mean of its points, each
+   * with a third of the rest area of its triangles) or LastPoint (thesis: the last point of the
+   * component).
    */
   vtkSetClampMacro(Anchor, int, CENTROID, LAST_POINT);
   vtkGetMacro(Anchor, int);

@@ -104,15 +104,15 @@ MeshTopology::MeshTopology(const Triangles& F, int numberOfPoints, RepeatedPoint
   }
 }
 
-Points MeshTopology::ComponentMeans(const Points& x) const
+Points MeshTopology::ComponentMeans(const Points& x, const Eigen::VectorXd& weights) const
 {
   Points mean = Points::Zero(this->GetNumberOfComponents(), 3);
-  Eigen::VectorXd count = Eigen::VectorXd::Zero(this->GetNumberOfComponents());
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(this->GetNumberOfComponents());
   for (int i = 0; i < this->GetNumberOfPoints(); ++i)
   {
-    mean.row(this->Components[i]) += x.row(i);
-    count(this->Components[i]) += 1.0;
+    mean.row(this->Components[i]) += weights[i] * x.row(i);
+    sum(this->Components[i]) += weights[i];
   }
-  return mean.array().colwise() / count.array();
+  return mean.array().colwise() / sum.array();
 }
 } // namespace SphericalStyle

@@ -42,8 +42,8 @@ public:
   /// The last point of each component.
   const std::vector<int>& GetLastPoints() const { return this->LastPoints; }
 
-  /// Mean of the rows of x over each component, one row per component.
-  Points ComponentMeans(const Points& x) const;
+  /// Weighted mean of the rows of x over each component, one row per component.
+  Points ComponentMeans(const Points& x, const Eigen::VectorXd& weights) const;
 
 private:
   Triangles F;

@@ -91,11 +91,12 @@ class LinearFeature : public TwoStepEnergy
 {
 public:
   LinearFeature(StyleEnergy& energy, GlobalStep& global, Matrices& R, const Points& P,
-    const Points& restMeans, Anchor anchor, LocalTerm* term)
+    const Eigen::VectorXd& areas, const Points& restMeans, Anchor anchor, LocalTerm* term)
     : Energy(energy)
     , Global(global)
     , R(R)
     , P(P)
+    , Areas(areas)
     , RestMeans(restMeans)
     , Anchored(anchor)
     , Term(term)
@@ -131,7 +132,7 @@ public:
     Points move;
     if (this->Anchored == Anchor::Centroid)
     {
-      move = this->RestMeans - topology.ComponentMeans(Q);
+      move = this->RestMeans - topology.ComponentMeans(Q, this->Areas);
     }
     else
     {
@@ -157,6 +158,7 @@ private:
   GlobalStep& Global;
   Matrices& R;
   const Points& P;
+  const Eigen::VectorXd& Areas;
   const Points& RestMeans;
   Anchor Anchored;
   LocalTerm* Term;
@@ -169,7 +171,9 @@ private:
 class StyleSolver::State : public SolverMesh
 {
 public:
-  // Depends on the mesh and on what shapes the energy's triangles.
+  // Depends on the mesh.
+  Eigen::VectorXd Areas; // of the points
+  // Depends on what shapes the energy's triangles too.
   bool HasTriangles = false;
   EnergyTriangleOptions Shape;
   EnergyTriangles Reshaped; // empty where the energy keeps the surface's
@@ -234,6 +238,7 @@ void StyleSolver::SetMesh(const TriangleMesh& mesh)
   this->S = std::make_unique<State>(); // empty, should a line below throw
   next->Set(mesh, change);
   next->HasTriangles = false;
+  next->Areas = PointAreas(next->P, mesh.F);
   this->S = std::move(next);
 }
 
@@ -267,7 +272,7 @@ void StyleSolver::State::UpdateTriangles(const EnergyTriangleOptions& options)
   }
   this->HasGlobal &= !replaced;
   this->Edges = HalfEdgeDifferences(this->P, this->SummedTriangles());
-  this->RestMeans = this->Summed().Topology.ComponentMeans(this->P);
+  this->RestMeans = this->Summed().Topology.ComponentMeans(this->P, this->Areas);
   this->BaseSize = -1.0;
   this->CenterIds.clear();
   this->HasTriangles = true;
@@ -508,7 +513,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   s.UpdateGlobal(options.fixedPoints);
   s.StartFromRest(options);
   LinearFeature problem(
-    s.Energy, s.Global, s.R, s.P, s.RestMeans, options.anchor, options.localTerm.get());
+    s.Energy, s.Global, s.R, s.P, s.Areas, s.RestMeans, options.anchor, options.localTerm.get());
   if (options.localTerm)
   {
     options.localTerm->SetMesh(s.P, s.Given.F);

@@ -16,7 +16,7 @@ namespace SphericalStyle
 {
 enum class Anchor
 {
-  Centroid, ///< the mean point of each component stays
+  Centroid, ///< the mean of each component stays, points weighted by their rest areas
   LastPoint ///< the last point of each component stays (thesis)
 };
 

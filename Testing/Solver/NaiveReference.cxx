@@ -102,6 +102,14 @@ NaiveReference::NaiveReference(const TriangleMesh& mesh, const StyleOptions& opt
     volume += (a - mean).dot((b - mean).cross(c - mean)) / 6.0;
   }
   areaCentroid /= area;
+  this->PointArea.assign(N, 0.0);
+  for (int f = 0; f < F.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      this->PointArea[F(f, k)] += Area(P, F, f) / 3.0;
+    }
+  }
   this->O = options.centerMode == CenterMode::Custom ? options.custom.center
     : options.centerMode == CenterMode::AreaCentroid ? areaCentroid
                                                      : mean;
@@ -313,20 +321,20 @@ void NaiveReference::GlobalStep()
       continue;
     }
     Eigen::RowVector3d shift = Eigen::RowVector3d::Zero();
-    int count = 0;
+    double sum = 0.0;
     for (int i = 0; i < N; ++i)
     {
       if (this->Component[i] == component)
       {
-        shift += P.row(i) - this->Q.row(i);
-        ++count;
+        shift += this->PointArea[i] * (P.row(i) - this->Q.row(i));
+        sum += this->PointArea[i];
       }
     }
     for (int i = 0; i < N; ++i)
     {
       if (this->Component[i] == component)
       {
-        this->Q.row(i) += shift / count;
+        this->Q.row(i) += shift / sum;
       }
     }
   }

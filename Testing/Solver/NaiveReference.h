@@ -65,6 +65,7 @@ private:
   int Flipped = 0;
   double Conditioning = 1.0;
 
+  std::vector<double> PointArea; // of the rest shape
   std::vector<int> Component;
   std::vector<char> Pinned;   // per component: holds a point that the user fixed
   std::vector<int> LastPoint; // per component

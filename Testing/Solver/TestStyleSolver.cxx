@@ -7,6 +7,7 @@
 #include "FixedIterations.h"
 #include "Meshes.h"
 #include "StyleSolver.h"
+#include "SurfaceMeasures.h"
 
 #include <Eigen/Dense>
 
@@ -506,8 +507,9 @@ void TestFixedPoints()
   const MeshTopology topology(two.F, two.P.rows());
   solver.SetMesh(two);
   solver.Solve({});
-  CHECK(Meshes::Distance(topology.ComponentMeans(solver.GetPositions()),
-          topology.ComponentMeans(two.P)) <= 1e-14 * Meshes::Diagonal(two.P),
+  const Eigen::VectorXd areas = PointAreas(two.P, two.F);
+  CHECK(Meshes::Distance(topology.ComponentMeans(solver.GetPositions(), areas),
+          topology.ComponentMeans(two.P, areas)) <= 1e-14 * Meshes::Diagonal(two.P),
     "the centroid of each component should stay");
   StyleOptions last;
   last.anchor = Anchor::LastPoint;
