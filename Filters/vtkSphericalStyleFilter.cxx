@@ -290,6 +290,7 @@ SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
   o.concaveEdges = static_cast<SphericalStyle::ConcaveEdges>(self->ConcaveEdges);
   o.edgeWeighting = static_cast<SphericalStyle::EdgeWeighting>(self->EdgeWeighting);
   o.anchor = static_cast<SphericalStyle::Anchor>(self->Anchor);
+  o.componentCoupling = static_cast<SphericalStyle::ComponentCoupling>(self->ComponentCoupling);
   o.initialGuess = static_cast<SphericalStyle::InitialGuess>(self->InitialGuess);
   o.loop = MakeLoopOptions(self);
   o.threads = ThreadsToUse(self->NumberOfThreads);
@@ -654,6 +655,7 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
   os << indent << "Acceleration: " << OnOff(this->Acceleration) << "\n";
   os << indent << "Anchor: " << this->Anchor << "\n";
+  os << indent << "ComponentCoupling: " << this->ComponentCoupling << "\n";
   os << indent << "WeldCoincidentPoints: " << OnOff(this->WeldCoincidentPoints) << "\n";
   os << indent << "InitialGuess: " << this->InitialGuess << "\n";
   os << indent << "RefineLongEdges: " << OnOff(this->RefineLongEdges) << "\n";

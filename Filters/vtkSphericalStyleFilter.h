@@ -52,7 +52,8 @@
  * Output port 1: vtkTable, one row for the start and one per iteration: Iteration, Total, Rigid,
  * Spherical (energies, length^2), LocalChange, GlobalChange, Residual (Eq. 3.46), Gap (estimated,
  * see Tolerance; NaN while unknown). Its field data: StageSeconds (Base, Weights, Analyze, Factor,
- * Iterate), LinearSolver, and Spheres (4: center and radius), one tuple per center id, ascending.
+ * Iterate), LinearSolver, Spheres (4: center and radius), one tuple per center id, ascending, and
+ * NumberOfStitches (see ComponentCoupling).
  * With AvoidSelfIntersections the table is that of the last solve, and its field data has
  * TurnedOver and NewIntersectingPairs (2: before, after), GuardSolves and GuardSeconds.
  *
@@ -89,7 +90,7 @@
  * factors numerically in every iteration.
  *
  * @warning Large Roundness without DetailSize scales details down with everything else: at 5 a face
- * is gone. Parts that share no edge each keep their centroid. With NormalBlend > 0 the surface may
+ * is gone. With NormalBlend > 0 the surface may
  * fold at concave places (thesis 4.5.3).
  *
  * @sa vtkPolyDataNormals vtkCurvatures vtkIntersectionPolyDataFilter
@@ -165,6 +166,11 @@ public:
   {
     CENTROID = 0,
     LAST_POINT = 1
+  };
+  enum ComponentCouplings
+  {
+    STITCHED = 0,
+    INDEPENDENT = 1
   };
   enum InitialGuesses
   {
@@ -421,6 +427,19 @@ public:
 
   ///@{
   /**
+   * What holds parts together that share no edge (eyeballs in a head, panels of a car): Stitched
+   * (default; near points of different parts are joined by edges, so that parts travel and turn
+   * with their surroundings and the whole model has one anchor) or Independent (thesis; nothing:
+   * each part has an anchor of its own and goes its own way). Models of one part come out the same.
+   */
+  vtkSetClampMacro(ComponentCoupling, int, STITCHED, INDEPENDENT);
+  vtkGetMacro(ComponentCoupling, int);
+  void SetComponentCouplingToStitched() { this->SetComponentCoupling(STITCHED); }
+  void SetComponentCouplingToIndependent() { this->SetComponentCoupling(INDEPENDENT); }
+  ///@}
+
+  ///@{
+  /**
    * Solve coincident points as one, so that texture seams and split normals do not open. Points are
    * never removed from the output. Default on.
    */
@@ -464,9 +483,9 @@ public:
   ///@{
   /**
    * Run the method of the thesis to the letter. On overrides FullEdge, Uniform, Thesis stop, Rest,
-   * LastPoint, no acceleration, PointMean, DetailSize 0 and no AvoidSelfIntersections; with Feature
-   * Nonlinear AsWritten, Thesis stop, no acceleration and PointMean; with both no RefineLongEdges.
-   * Default off.
+   * LastPoint, Independent, no acceleration, PointMean, DetailSize 0 and no AvoidSelfIntersections;
+   * with Feature Nonlinear AsWritten, Thesis stop, no acceleration and PointMean; with both no
+   * RefineLongEdges. Default off.
    */
   vtkSetMacro(ReproduceThesis, bool);
   vtkGetMacro(ReproduceThesis, bool);
@@ -577,6 +596,7 @@ private:
   int MaximumNumberOfIterations = 200;
   bool Acceleration = true;
   int Anchor = CENTROID;
+  int ComponentCoupling = STITCHED;
   bool WeldCoincidentPoints = true;
   int InitialGuess = BLEND;
   bool RefineLongEdges = false;

@@ -69,6 +69,7 @@ void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char
       sphere.center.x(), sphere.center.y(), sphere.center.z(), sphere.radius);
   }
   table->GetFieldData()->AddArray(spheres);
+  AddCount(table->GetFieldData(), "NumberOfStitches", report.stitches);
   if (report.edgeFlips >= 0)
   {
     AddCount(table->GetFieldData(), "EdgeFlips", report.edgeFlips);

@@ -147,6 +147,15 @@ picture("snowman.png", (1000, 330), [[
     (part_by_part(snowman), "one part after the other"),
 ]], 25.0, 13)
 
+loose = demo.read(ROOT / "Data" / "car.vtp")  # seven parts: body, wheels, lights
+picture("stitch.png", (1200, 300), [[(loose, "model")] + [
+    (rounded(loose, Roundness=roundness, DetailSize=0.03, SphericalWeighting=1,
+             ComponentCoupling=coupling), f"{name}, Roundness {roundness:g}")
+    for roundness in (0.5, 5.0)
+    for coupling, name in ((vtkSphericalStyleFilter.INDEPENDENT, "Independent"),
+                           (vtkSphericalStyleFilter.STITCHED, "Stitched"))
+]], 35.0, 12)
+
 # ----------------------------------------------------------------------------------- NonlinearFeature
 stone = demo.read(ROOT / "Data" / "go-stone.vtp")
 nonlinear = {"Feature": vtkSphericalStyleFilter.NONLINEAR}

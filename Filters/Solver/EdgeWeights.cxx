@@ -47,11 +47,16 @@ HalfEdgeScalars EdgeSums(const HalfEdgeScalars& x, const Triangles& F)
 }
 
 EdgeWeights ComputeEdgeWeights(const HalfEdgeScalars& cotangents, const Triangles& F,
-  const Eigen::VectorXd& lambda, EdgeWeighting edges, SphericalWeighting spherical)
+  const Eigen::VectorXd& lambda, EdgeWeighting edges, SphericalWeighting spherical, int stitches)
 {
   const bool full = edges == EdgeWeighting::FullEdge;
   EdgeWeights w;
-  w.c = full ? EdgeSums(cotangents, F) : cotangents;
+  w.c = cotangents;
+  if (full)
+  {
+    w.c = EdgeSums(cotangents, F);
+    w.c.bottomRows(2 * stitches) *= 0.5;
+  }
   const bool cotangent = spherical == SphericalWeighting::Cotangent;
   const bool oneLambda = lambda.size() > 0 && (lambda.array() == lambda(0)).all();
   w.proportional = oneLambda && (cotangent || lambda(0) == 0.0);
@@ -70,10 +75,12 @@ EdgeWeights ComputeEdgeWeights(const HalfEdgeScalars& cotangents, const Triangle
       w.l.row(f) = std::sqrt(3.0) * mean * w.c.row(f);
       continue;
     }
+    const bool half = f >= F.rows() - 2 * stitches;
+    const double share = (full ? 1.0 : 0.5) * (half ? 0.5 : 1.0);
     for (int k = 0; k < 3; ++k)
     {
       const double mean = 0.5 * (lambda(F(f, HalfEdgeStart(k))) + lambda(F(f, HalfEdgeEnd(k))));
-      w.l(f, k) = full ? mean : 0.5 * mean;
+      w.l(f, k) = share * mean;
     }
   }
   return w;

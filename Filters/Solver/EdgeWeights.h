@@ -44,13 +44,14 @@ struct EdgeWeights
   double ratio = 0.0;
 };
 
-/// @param cotangents  HalfEdgeCotangents
-/// @param lambda  >= 0, of each point (n)
+/// @param cotangents, F  EnergyTriangles
+/// @param lambda  >= 0, of each point (n) @param stitches  EnergyTriangles::NumberOfStitches
 /// An edge takes the mean lambda of its ends with uniform weights; with cotangent weights each
 /// triangle takes the mean of its corners, because (lambda_uv c_h) is not positive semidefinite on
 /// an obtuse triangle when lambda_uv differs between its edges.
 EdgeWeights ComputeEdgeWeights(const HalfEdgeScalars& cotangents, const Triangles& F,
-  const Eigen::VectorXd& lambda, EdgeWeighting edges, SphericalWeighting spherical);
+  const Eigen::VectorXd& lambda, EdgeWeighting edges, SphericalWeighting spherical,
+  int stitches = 0);
 } // namespace SphericalStyle
 
 #endif

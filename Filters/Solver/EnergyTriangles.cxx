@@ -3,16 +3,39 @@
 #include "EnergyTriangles.h"
 
 #include "IntrinsicDelaunay.h"
+#include "Stitches.h"
 
 #include <utility>
 
 namespace SphericalStyle
 {
+namespace
+{
+/// A pair of triangles a stitch, after the others.
+void AddStitches(const std::vector<Stitch>& stitches, Triangles& F, HalfEdgeScalars& cotangents)
+{
+  Eigen::Index f = F.rows();
+  const Eigen::Index m = f + 2 * static_cast<Eigen::Index>(stitches.size());
+  F.conservativeResize(m, 3);
+  cotangents.conservativeResize(m, 3);
+  for (const Stitch& s : stitches)
+  {
+    F.row(f) << s.u, s.v, s.v;
+    F.row(f + 1) << s.v, s.u, s.u;
+    for (const Eigen::Index end = f + 2; f < end; ++f)
+    {
+      cotangents.row(f) << 0.0, 0.5 * StitchWeight, 0.5 * StitchWeight;
+    }
+  }
+}
+}
+
 bool UpdateEnergyTriangles(const Points& P, const EnergyTriangles& surface,
   const EnergyTriangleOptions& options, EnergyTriangles& triangles)
 {
   Triangles F = surface.Topology.GetTriangles();
   triangles.Cotangents = surface.Cotangents;
+  triangles.NumberOfFlips = triangles.NumberOfNegativeEdges = -1;
   if (options.intrinsicDelaunay)
   {
     IntrinsicTriangulation intrinsic = IntrinsicDelaunay(P, F, surface.Cotangents);
@@ -20,6 +43,15 @@ bool UpdateEnergyTriangles(const Points& P, const EnergyTriangles& surface,
     triangles.Cotangents = std::move(intrinsic.Cotangents);
     triangles.NumberOfFlips = intrinsic.NumberOfFlips;
     triangles.NumberOfNegativeEdges = intrinsic.NumberOfNegativeEdges;
+  }
+  triangles.NumberOfStitches = 0;
+  if (options.stitched)
+  {
+    const MeshTopology& parts = surface.Topology;
+    const std::vector<Stitch> stitches =
+      FindStitches(P, parts.GetTriangles(), parts.GetComponents());
+    AddStitches(stitches, F, triangles.Cotangents);
+    triangles.NumberOfStitches = static_cast<int>(stitches.size());
   }
   const Triangles& before = triangles.Topology.GetTriangles();
   if (triangles.Topology.GetNumberOfPoints() == P.rows() && before.rows() == F.rows() &&

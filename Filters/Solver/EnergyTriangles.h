@@ -21,19 +21,23 @@ struct EnergyTriangles
   int NumberOfFlips = -1;
   int NumberOfNegativeEdges = -1;
   /// @}
+  /// A stitch uv is a pair of triangles (u, v, v) and (v, u, u), after all others: an edge in the
+  /// cells of its two ends only [stitch]. Their edge uv comes twice: each half-edge counts half.
+  int NumberOfStitches = 0;
 };
 
 /// What the energy's triangles depend on besides the mesh.
 struct EnergyTriangleOptions
 {
   bool intrinsicDelaunay = false; ///< the triangles of IntrinsicDelaunay
+  bool stitched = false;          ///< parts are joined [stitch]
 
   bool operator==(const EnergyTriangleOptions& other) const
   {
-    return this->intrinsicDelaunay == other.intrinsicDelaunay;
+    return this->intrinsicDelaunay == other.intrinsicDelaunay && this->stitched == other.stitched;
   }
   /// Whether the energy is summed over the surface's own triangles.
-  bool KeepSurface() const { return !this->intrinsicDelaunay; }
+  bool KeepSurface() const { return !this->intrinsicDelaunay && !this->stitched; }
 };
 
 /// Makes the energy's triangles from the surface's, unless options.KeepSurface().

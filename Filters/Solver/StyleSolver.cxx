@@ -23,6 +23,7 @@ StyleOptions ThesisOptions(StyleOptions options)
   options.loop.acceleration = false;
   options.initialGuess = InitialGuess::Rest;
   options.anchor = Anchor::LastPoint;
+  options.componentCoupling = ComponentCoupling::Independent;
   options.centerMode = CenterMode::PointMean;
   options.detailSize = 0.0;
   return options;
@@ -244,10 +245,12 @@ void StyleSolver::SetMesh(const TriangleMesh& mesh)
 
 namespace
 {
-EnergyTriangleOptions ShapeOf(const StyleOptions& options)
+EnergyTriangleOptions ShapeOf(const StyleOptions& options, const MeshTopology& surface)
 {
   EnergyTriangleOptions shape;
   shape.intrinsicDelaunay = options.edgeWeighting == EdgeWeighting::IntrinsicDelaunay;
+  shape.stitched =
+    options.componentCoupling == ComponentCoupling::Stitched && surface.GetNumberOfComponents() > 1;
   return shape;
 }
 }
@@ -433,8 +436,8 @@ void StyleSolver::State::BuildEnergy(const StyleOptions& options, StyleReport& r
   {
     lambda = options.lambda * options.roundnessFactors;
   }
-  EdgeWeights weights = ComputeEdgeWeights(
-    this->Summed().Cotangents, F, lambda, options.edgeWeighting, options.sphericalWeighting);
+  EdgeWeights weights = ComputeEdgeWeights(this->Summed().Cotangents, F, lambda,
+    options.edgeWeighting, options.sphericalWeighting, this->Summed().NumberOfStitches);
   HalfEdgeVectors tau = this->Targets(options, report);
   if (options.detailSize > 0.0)
   {
@@ -501,10 +504,11 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   CheckOptions(options, static_cast<int>(s.P.rows()));
   StyleReport report;
   const Stopwatch triangles;
-  s.UpdateTriangles(ShapeOf(options));
+  s.UpdateTriangles(ShapeOf(options, s.Surface.Topology));
   report.seconds.triangles = triangles.Seconds();
   report.edgeFlips = s.Summed().NumberOfFlips;
   report.negativeEdges = s.Summed().NumberOfNegativeEdges;
+  report.stitches = s.Summed().NumberOfStitches;
   const Stopwatch base;
   s.UpdateBase(options.detailSize);
   s.UpdateShares(options);

@@ -20,6 +20,13 @@ enum class Anchor
   LastPoint ///< the last point of each component stays (thesis)
 };
 
+/// What holds the parts of a model together.
+enum class ComponentCoupling
+{
+  Stitched,   ///< edges between near parts: the model is one component [stitch]
+  Independent ///< nothing: each component has an anchor of its own (thesis)
+};
+
 enum class InitialGuess
 {
   Blend, ///< R = I and one global step, not counted [start]
@@ -39,6 +46,7 @@ struct StyleOptions
   ConcaveEdges concaveEdges = ConcaveEdges::Keep;
   EdgeWeighting edgeWeighting = EdgeWeighting::HalfEdge;
   Anchor anchor = Anchor::Centroid;
+  ComponentCoupling componentCoupling = ComponentCoupling::Independent;
   InitialGuess initialGuess = InitialGuess::Blend;
   LoopOptions loop;
   int threads = 1;
@@ -84,6 +92,7 @@ struct StyleReport
   int concaveHalfEdges = 0;        ///< flipped or zeroed
   int edgeFlips = -1;              ///< with IntrinsicDelaunay; -1 otherwise
   int negativeEdges = -1;          ///< see IntrinsicTriangulation; -1 otherwise
+  int stitches = 0;                ///< edges between parts
   bool factored = false;           ///< whether this solve had to factor
   const char* linearSolver = "none";
   StageSeconds seconds;

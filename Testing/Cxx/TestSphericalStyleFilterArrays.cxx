@@ -587,6 +587,7 @@ void Thesis(Checker& check, vtkPolyData* model)
     byHand->SetStopRuleToThesis();
     byHand->SetInitialGuessToRest();
     byHand->SetAnchorToLastPoint();
+    byHand->SetComponentCouplingToIndependent();
     byHand->AccelerationOff();
     byHand->SetCenterModeToPointMean();
     byHand->SetDetailSize(0.0);

@@ -246,13 +246,32 @@ void SeveralComponents(Checker& check)
   const Surface third = MakeSurface({ { 0, 0, 4 }, { 1, 0, 4 }, { 0, 1, 5 } }, { { 0, 1, 2 } });
   const Surface input = Together({ first, second, third });
   const vtkIdType n = first->GetNumberOfPoints();
-  const Surface output = CheckRound(check, input);
+  const auto stitches = [](WatchedFilter& filter)
+  {
+    filter.Output();
+    return filter->GetOutputDataObject(1)
+      ->GetFieldData()
+      ->GetArray("NumberOfStitches")
+      ->GetComponent(0, 0);
+  };
+  CheckCentroid(check, input, CheckRound(check, input), 0, 2 * n + 3); // of the whole
+  WatchedFilter stitched(input);
+  check(stitches(stitched) >= 6.0, "three parts should hold each other by three stitches");
+
+  WatchedFilter apart(input);
+  apart->SetComponentCouplingToIndependent();
+  const Surface output = apart.Output();
+  check(stitches(apart) == 0.0, "independent parts should have no stitches");
   CheckCentroid(check, input, output, 0, n);
   CheckCentroid(check, input, output, n, 2 * n);
   CheckCentroid(check, input, output, 2 * n, 2 * n + 3);
 
   WatchedFilter anchored(input);
   anchored->SetAnchorToLastPoint();
+  check.About("several components, last point of the whole anchored");
+  check.AtMost(Distance(PointOf(input, 2 * n + 2), PointOf(anchored.Output(), 2 * n + 2)),
+    1e-12 * Diagonal(input), "move of the last point");
+  anchored->SetComponentCouplingToIndependent();
   check.About("several components, last point anchored");
   for (const vtkIdType last : { n - 1, 2 * n - 1, 2 * n + 2 })
   {
@@ -404,8 +423,11 @@ void WeldOff(Checker& check, vtkPolyData* car)
   WatchedFilter filter;
   check(opening(CheckSound(check, filter, input)) == 0.0, "welded, the seam should stay closed");
   filter->WeldCoincidentPointsOff();
+  const double stitched = opening(CheckSound(check, filter, input));
+  filter->SetComponentCouplingToIndependent();
   vtkPolyData* output = CheckSound(check, filter, input);
   check(opening(output) > 0.01, "not welded, the seam should open");
+  check(stitched < 0.2 * opening(output), "stitched, it should open less");
   CheckCentroid(check, input, output, 0, lower);
   CheckCentroid(check, input, output, lower, all);
 
@@ -413,6 +435,7 @@ void WeldOff(Checker& check, vtkPolyData* car)
   vtkDataArray* panels = car->GetCellData()->GetArray("PanelIds");
   WatchedFilter filterOfCar;
   filterOfCar->WeldCoincidentPointsOff();
+  filterOfCar->SetComponentCouplingToIndependent();
   filterOfCar->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   vtkPolyData* apart = CheckSound(check, filterOfCar, car);
   const auto corners = TriangleCorners(car);
@@ -796,6 +819,7 @@ void Properties(Checker& check)
   RoundTrip(MaximumNumberOfIterations, 200, 3);
   OnOff(Acceleration, true);
   RoundTrip(Anchor, 0, 1);
+  RoundTrip(ComponentCoupling, 0, 1);
   OnOff(WeldCoincidentPoints, true);
   RoundTrip(InitialGuess, 0, 1);
   OnOff(RefineLongEdges, false);
@@ -849,6 +873,8 @@ void Properties(Checker& check)
   Mode(StopRule, FixedIterations, FIXED_ITERATIONS, 2);
   Mode(Anchor, Centroid, CENTROID, 0);
   Mode(Anchor, LastPoint, LAST_POINT, 1);
+  Mode(ComponentCoupling, Stitched, STITCHED, 0);
+  Mode(ComponentCoupling, Independent, INDEPENDENT, 1);
   Mode(InitialGuess, Blend, BLEND, 0);
   Mode(InitialGuess, Rest, REST, 1);
 
@@ -861,15 +887,15 @@ void Properties(Checker& check)
 
   std::ostringstream printed;
   filter->Print(printed);
-  for (const char* name :
-    { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode", "Radius", "DetailSize",
-      "SphericalWeighting", "ConcaveEdges", "EdgeWeighting", "StopRule", "Tolerance",
-      "MaximumNumberOfIterations", "Acceleration", "Anchor", "WeldCoincidentPoints", "InitialGuess",
-      "RefineLongEdges", "MaximumEdgeLength", "ReproduceThesis", "OutputPointsPrecision",
-      "NumberOfThreads", "GenerateTargetDirection", "GenerateDisplacement", "GenerateNormals",
-      "GenerateCellEnergy", "GenerateRotation", "NumberOfIterations", "Converged", "FinalEnergy",
-      "EffectiveCenter", "EffectiveRadius", "AvoidSelfIntersections", "TurnedOverBefore",
-      "TurnedOverAfter", "NewIntersectionsBefore", "NewIntersectionsAfter" })
+  for (const char* name : { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode",
+         "Radius", "DetailSize", "SphericalWeighting", "ConcaveEdges", "EdgeWeighting", "StopRule",
+         "Tolerance", "MaximumNumberOfIterations", "Acceleration", "Anchor", "ComponentCoupling",
+         "WeldCoincidentPoints", "InitialGuess", "RefineLongEdges", "MaximumEdgeLength",
+         "ReproduceThesis", "OutputPointsPrecision", "NumberOfThreads", "GenerateTargetDirection",
+         "GenerateDisplacement", "GenerateNormals", "GenerateCellEnergy", "GenerateRotation",
+         "NumberOfIterations", "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius",
+         "AvoidSelfIntersections", "TurnedOverBefore", "TurnedOverAfter", "NewIntersectionsBefore",
+         "NewIntersectionsAfter" })
   {
     check(Contains(printed.str(), std::string(" ") + name + ": "),
       std::string("PrintSelf should print ") + name);

@@ -174,6 +174,7 @@ void Properties(Checker& check, vtkPolyData* model)
     { "ConcaveEdges", [](F* f) { f->SetConcaveEdgesToFlip(); } },
     { "EdgeWeighting", [](F* f) { f->SetEdgeWeightingToFullEdge(); } },
     { "Anchor", [](F* f) { f->SetAnchorToLastPoint(); } },
+    { "ComponentCoupling", [](F* f) { f->SetComponentCouplingToIndependent(); } },
     { "InitialGuess", [](F* f) { f->SetInitialGuessToRest(); } },
     { "NumberOfThreads", [](F* f) { f->SetNumberOfThreads(3); } },
   };

@@ -147,9 +147,11 @@ void TestThesisRule()
     StyleOptions odd;
     odd.lambda = 0.3;
     odd.detailSize = 0.1;
+    odd.componentCoupling = ComponentCoupling::Stitched;
     odd.sphericalWeighting = SphericalWeighting::Cotangent;
     const StyleOptions thesis = ThesisOptions(odd);
     CHECK(thesis.edgeWeighting == EdgeWeighting::FullEdge && thesis.anchor == Anchor::LastPoint &&
+        thesis.componentCoupling == ComponentCoupling::Independent &&
         thesis.initialGuess == InitialGuess::Rest && thesis.detailSize == 0.0 &&
         thesis.sphericalWeighting == SphericalWeighting::Uniform && thesis.lambda == 0.3 &&
         thesis.loop.stopRule == StopRule::Thesis && !thesis.loop.acceleration,

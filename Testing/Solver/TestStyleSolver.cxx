@@ -113,7 +113,7 @@ void TestSequences()
   for (int step = 0; step < 200; ++step)
   {
     const int n = mesh.P.rows();
-    switch (pick(15))
+    switch (pick(16))
     {
       case 0:
         options.lambda = pick(3) == 0 ? 0.0 : 2.0 * random.Unit();
@@ -172,7 +172,10 @@ void TestSequences()
             mesh.P.row(options.fixedPoints[k]) + 0.1 * random.InCube().transpose();
         }
         break;
-      case 13: // the same triangles, other points
+      case 13:
+        options.componentCoupling = static_cast<ComponentCoupling>(pick(2));
+        break;
+      case 14: // the same triangles, other points
         mesh = Meshes::Perturbed(mesh, 0.005, step);
         solver.SetMesh(mesh);
         break;
