@@ -5,8 +5,8 @@
 usage: TestSphericalStyleFilterModels.py [--models DIR] [section ...]
 
 DIR (or $SPHERICALSTYLE_MODELS) holds spot.ply, bunny.ply and so on; without it the script leaves
-with 77, which ctest takes for "skipped". Sections: energy nonlinear nonlinear-time thesis converged sphere blend detail time
-foldguard; all of them when none is named. Every figure is printed, every claim is checked.
+with 77, which ctest takes for "skipped". Sections: energy nonlinear nonlinear-time thesis converged sphere blend detail parts
+time foldguard; all of them when none is named. Every figure is printed, every claim is checked.
 """
 import argparse
 import os
@@ -270,6 +270,44 @@ def detail():
         check(flattened > kept, f"{name}: details are better kept than by the thesis")
 
 
+# -- parts ----------------------------------------------------------------------------------------
+def parts_of(surface):
+    """The smallest point id of each point's part."""
+    F, ids = triangles(surface), np.arange(surface.GetNumberOfPoints())
+    while True:
+        smaller = ids.copy()
+        for k in range(3):
+            np.minimum.at(smaller, F[:, k], ids[F].min(axis=1))
+        if (smaller == ids).all():
+            return ids
+        ids = smaller
+
+
+def parts():
+    surface = read("human-parts")
+    x, ids = points(surface), parts_of(surface)
+    diagonal = surface.GetLength()
+    head, *eyes = sorted(set(ids), key=lambda part: -(ids == part).sum())
+    check(len(eyes) == 2, "the person has two eyes")
+    skin = np.flatnonzero(ids == head)
+    pairs = []  # of an eye's points that lie near the skin, and the nearest of the skin
+    for eye in eyes:
+        own = np.flatnonzero(ids == eye)
+        distance = np.linalg.norm(x[own][:, None] - x[skin][None], axis=2)
+        near = distance.min(axis=1) < 0.003 * diagonal
+        pairs.append((own[near], skin[distance.argmin(axis=1)[near]]))
+    eye, skin = np.hstack(pairs)
+    for size in (0.0, 0.03):
+        for l in LAMBDAS:
+            apart = []
+            for coupling in (0, 1):
+                q = points(style(surface, Roundness=l, DetailSize=size, ComponentCoupling=coupling).GetOutput())
+                apart.append(np.linalg.norm(q[eye] - q[skin], axis=1).max() / diagonal)
+            print(f"  human-parts, DetailSize {size:<4g} lambda {l:<4g} eyes at most .003 diagonals from the skin: stitched "
+                  f"{apart[0]:.4f}, independent {apart[1]:.4f}")
+            check(apart[0] < 0.004 < apart[1], "stitched eyes stay in the head, independent ones leave it")
+
+
 # -- waiting --------------------------------------------------------------------------------------
 def timing():
     surface = read("bunny")
@@ -359,7 +397,7 @@ def foldguard():
 
 
 SECTIONS = {"energy": energy, "nonlinear": nonlinear, "nonlinear-time": nonlinear_time, "thesis": thesis, "converged": converged, "sphere": sphere,
-            "blend": blend, "detail": detail, "time": timing, "foldguard": foldguard}
+            "blend": blend, "detail": detail, "parts": parts, "time": timing, "foldguard": foldguard}
 parser = argparse.ArgumentParser()
 parser.add_argument("--models", default=os.environ.get("SPHERICALSTYLE_MODELS", ""))
 parser.add_argument("sections", nargs="*", choices=[[], *SECTIONS])
