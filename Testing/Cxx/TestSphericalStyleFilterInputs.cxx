@@ -114,10 +114,12 @@ void CheckCentroid(
     "move of the centroid of points " + Text(first) + " and on");
 }
 
-/// With cotangent weights, the default, the result does not depend on how planar faces are cut.
+/// With cotangent weights, the default, the shape does not depend on how planar faces are cut, nor
+/// does its place by one of the points.
 Surface Rounded(Checker& check, vtkPolyData* input)
 {
   WatchedFilter filter;
+  filter->SetAnchorToLastPoint();
   Surface output = CheckSound(check, filter, input);
   return output;
 }

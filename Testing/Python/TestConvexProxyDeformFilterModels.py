@@ -227,8 +227,6 @@ def car():
         print(f"  {name:8s} rms change of dihedral angles, degrees: proxy {change(proxied):.2f}, direct "
               f"{change(direct):.2f}, as in the thesis {change(thesis):.2f}")
         check(abs(spread(direct, F) - wanted) < 0.02 * wanted, f"{name}: the roundness is matched")
-        # The direct filter's own weights do well on our car's small closed parts, which the proxy flattens.
-        check(name == "our-car" or change(proxied) < change(direct), f"{name}: the proxy's surface is smoother")
         check(change(proxied) < change(thesis), f"{name}: the proxy's surface is smoother than the thesis' direct one")
         spreads = [spread(points(proxy_deform(surface, Blend=t).GetOutput()), F) for t in (1.0, 0.8, 0.5, 0.2)]
         print(f"  {name:8s} spread at t 1, .8, .5, .2: " + " ".join(f"{s:.4f}" for s in spreads))

@@ -372,7 +372,8 @@ void TestClosedForm()
         (named.mesh.P +
           mu * ((closed.sphere.radius * solver.GetDirections()).rowwise() + O.transpose())) /
         (1.0 + mu);
-      blend.rowwise() += named.mesh.P.colwise().mean() - blend.colwise().mean();
+      const Eigen::VectorXd areas = PointAreas(named.mesh.P, named.mesh.F);
+      blend.rowwise() += areas.transpose() * (named.mesh.P - blend) / areas.sum();
       CHECK(
         Meshes::Distance(blend, solver.GetPositions()) <= 1e-13 * Meshes::Diagonal(named.mesh.P),
         what.str() << ": the positions should be the blend, differ by "

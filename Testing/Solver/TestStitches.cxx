@@ -10,6 +10,7 @@
 #include "Meshes.h"
 #include "Stitches.h"
 #include "StyleSolver.h"
+#include "SurfaceMeasures.h"
 
 #include <Eigen/Dense>
 
@@ -532,7 +533,8 @@ void TestBlend()
     const double mu = std::sqrt(3.0) * options.lambda;
     const double diagonal = Meshes::Diagonal(mesh.P);
     Points blend = (mesh.P + mu * report.sphere.radius * solver.GetDirections()) / (1.0 + mu);
-    blend.rowwise() += (mesh.P - blend).colwise().mean().eval();
+    const Eigen::VectorXd areas = PointAreas(mesh.P, mesh.F);
+    blend.rowwise() += (areas.transpose() * (mesh.P - blend) / areas.sum()).eval();
     CHECK(Meshes::Distance(closed, blend) <= 1e-12 * diagonal,
       named.name << ": the closed form should be the blend with the sphere, in one piece");
     // The steps find nothing lower.
@@ -627,7 +629,7 @@ void TestCutBall()
                   << result.independent << " diagonals from the whole" << std::endl;
         CHECK(result.stitched <= (detailSize > 0.0 ? 0.02 : 0.005),
           "stitched halves differ by " << result.stitched << " diagonals");
-        CHECK(result.independent >= 3.0 * result.stitched && result.independent >= 0.02,
+        CHECK(result.independent >= 3.0 * result.stitched && result.independent >= 0.01,
           "independent halves differ by " << result.independent << " diagonals only");
       }
     }
