@@ -1,0 +1,62 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sheets of small pictures, flat shaded as ParaView shows a surface without normals."""
+import sys
+
+from PIL import Image
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+
+import measures
+import surfaces
+
+sys.path.insert(0, str(surfaces.ROOT / "Utilities"))
+import demo  # noqa: E402, the demo's light and camera
+
+ROWS = 4  # models a sheet
+# Axis that points up, and degrees around it, for models that do not look along z with y up.
+VIEWS = {
+    "goblet-vase": ("z", 25.0),
+    "lidar-sensor": ("z", 25.0),
+    "lucy": ("z", 205.0),
+    "plane-holes": ("z", 60.0),
+    "spot": ("y", 215.0),
+    "spot-small": ("y", 215.0),
+}
+
+
+def flat(surface):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(surface)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    clay = actor.GetProperty()
+    clay.SetInterpolationToFlat()
+    clay.SetColor(demo.CLAY)
+    clay.SetAmbient(0.14)
+    clay.SetDiffuse(0.88)
+    clay.SetSpecular(0.10)
+    clay.SetSpecularPower(12.0)
+    return actor
+
+
+def sheets(folder, models, cases):
+    """models: (name, x, F, [Result of each case]). sheet-1.png and so on."""
+    for first in range(0, len(models), ROWS):
+        strips = []
+        for name, x, F, results in models[first:first + ROWS]:
+            up, view = VIEWS.get(name, ("y", 25.0))
+            # All in the units of the model's diagonal: one row, one scale.
+            length = measures.diagonal(x)
+            panels = [(surfaces.polydata(x / length, F), f"{name}, {len(x)} points")]
+            panels += [(surfaces.polydata(r.x / length, r.F), f"DetailSize {d:g}, Roundness {l:g}")
+                       for (d, l), r in zip(cases, results) if not r.failed]
+            strip = folder / f"strip-{len(strips)}.png"
+            demo.picture(strip, (330 * len(panels), 300), [panels], up, view, 12, make_actor=flat)
+            strips.append(strip)
+        images = [Image.open(strip).convert("RGB") for strip in strips]
+        sheet = Image.new("RGB", (images[0].width, sum(i.height for i in images)), "white")
+        for k, image in enumerate(images):
+            sheet.paste(image, (0, sum(i.height for i in images[:k])))
+        sheet.quantize(128).save(folder / f"sheet-{first // ROWS + 1}.png", optimize=True)
+        for strip in strips:
+            strip.unlink()
