@@ -9,6 +9,7 @@
 #include "MatrixCondition.h"
 #include "MeshQuality.h"
 #include "SurfaceMeasures.h"
+#include "Thickness.h"
 #ifdef SPHERICALSTYLE_WITH_CGAL
 #include "SelfIntersections.h"
 #endif
@@ -21,7 +22,9 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -29,6 +32,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -49,11 +53,12 @@ enum InputPorts
 
 constexpr double Degrees = 180.0 / SphericalStyle::Pi;
 constexpr double ConditionTolerance = 1e-6;
+constexpr double None = std::numeric_limits<double>::quiet_NaN();
 using Pairs = std::vector<std::array<int, 2>>;
 
 double VolumeIfClosed(const Points& P, const Triangles& F, bool closed)
 {
-  return closed ? SphericalStyle::EnclosedVolume(P, F) : std::numeric_limits<double>::quiet_NaN();
+  return closed ? SphericalStyle::EnclosedVolume(P, F) : None;
 }
 
 Eigen::Index CountBelow(const Eigen::VectorXd& x, double limit)
@@ -64,6 +69,18 @@ Eigen::Index CountBelow(const Eigen::VectorXd& x, double limit)
 double Rms(const Eigen::VectorXd& x)
 {
   return x.size() > 0 ? std::sqrt(x.squaredNorm() / static_cast<double>(x.size())) : 0.0;
+}
+
+vtkSmartPointer<vtkDataArray> MakeArray(const char* name, int type, const Eigen::VectorXd& values)
+{
+  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+  array->SetName(name);
+  array->SetNumberOfTuples(values.size());
+  for (vtkIdType i = 0; i < values.size(); ++i)
+  {
+    array->SetComponent(i, 0, values(i));
+  }
+  return array;
 }
 
 #ifdef SPHERICALSTYLE_WITH_CGAL
@@ -123,14 +140,7 @@ struct vtkSurfaceMetrics::Internals
   }
   void AddCellArray(const char* name, int type, const Eigen::VectorXd& values) const
   {
-    auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
-    array->SetName(name);
-    array->SetNumberOfTuples(values.size());
-    for (vtkIdType i = 0; i < values.size(); ++i)
-    {
-      array->SetComponent(i, 0, values(i));
-    }
-    this->Output->GetCellData()->AddArray(array);
+    this->Output->GetCellData()->AddArray(MakeArray(name, type, values));
   }
 
   Eigen::VectorXd PerCell(double initial = 0.0) const
@@ -150,6 +160,7 @@ struct vtkSurfaceMetrics::Internals
   Pairs MeasureSelfIntersections() const;
   void MeasureDeformation(const vtkSurfacePair& pair, bool closed) const;
   void MeasureAreaRatios(const vtkSurfacePair& pair) const;
+  void MeasureThicknessRatios(const vtkSurfacePair& pair) const;
   void MeasureNewSelfIntersections(const vtkSurfacePair& pair, const Pairs& now) const;
   void Measure(vtkPolyData* reference) const;
 };
@@ -178,8 +189,7 @@ void vtkSurfaceMetrics::Internals::MeasureShape(bool closed) const
   const Triangles& F = this->Surface.Mesh.F;
   this->AddNumber("Area", TriangleAreas(P, F).sum());
   this->AddNumber("Volume", VolumeIfClosed(P, F, closed));
-  this->AddNumber(
-    "Sphericity", closed ? Sphericity(P, F) : std::numeric_limits<double>::quiet_NaN());
+  this->AddNumber("Sphericity", closed ? Sphericity(P, F) : None);
 
   const Eigen::Vector3d center =
     TargetSphere(P, F, static_cast<SphericalStyle::CenterMode>(this->Self->CenterMode),
@@ -334,6 +344,32 @@ void vtkSurfaceMetrics::Internals::MeasureDeformation(const vtkSurfacePair& pair
   this->AddNumber("LargestDisplacement", (pair.Deformed - pair.Rest.P).rowwise().norm().maxCoeff());
 }
 
+void vtkSurfaceMetrics::Internals::MeasureThicknessRatios(const vtkSurfacePair& pair) const
+{
+  std::vector<int> points(pair.Rest.P.rows());
+  std::iota(points.begin(), points.end(), 0);
+  const SphericalStyle::ThicknessProbes probes =
+    SphericalStyle::PlaceThicknessProbes(pair.Rest, points, ThreadsToUse(0));
+  const Eigen::VectorXd found = SphericalStyle::ThicknessRatios(pair.Rest, pair.Deformed, probes);
+  Eigen::VectorXd ratio = Eigen::VectorXd::Constant(pair.Rest.P.rows(), None);
+  ratio(probes.points) = found;
+  Eigen::VectorXd ofInput = Eigen::VectorXd::Constant(this->Output->GetNumberOfPoints(), None);
+  for (vtkIdType i = 0; i < ofInput.size(); ++i)
+  {
+    if (pair.Point[i] != vtkSurfaceMesh::NotMoved)
+    {
+      ofInput(i) = ratio(pair.Point[i]);
+    }
+  }
+  this->Output->GetPointData()->AddArray(MakeArray("ThicknessRatio", VTK_DOUBLE, ofInput));
+  const bool any = found.size() > 0;
+  this->AddNumber("SmallestThicknessRatio", any ? found.minCoeff() : None);
+  this->AddNumber("ThinnedShare",
+    any ? static_cast<double>(CountBelow(found, SphericalStyle::ThinnedBelow)) /
+        static_cast<double>(found.size())
+        : None);
+}
+
 void vtkSurfaceMetrics::Internals::MeasureNewSelfIntersections(
   const vtkSurfacePair& pair, const Pairs& now) const
 {
@@ -374,6 +410,10 @@ void vtkSurfaceMetrics::Internals::Measure(vtkPolyData* reference) const
   if (reference)
   {
     this->MeasureDeformation(pair, counts.closed);
+    if (this->Self->MeasureThickness)
+    {
+      this->MeasureThicknessRatios(pair);
+    }
   }
   if (this->Self->FindSelfIntersections && !Aborted(this->Self))
   {
@@ -481,6 +521,7 @@ void vtkSurfaceMetrics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CenterMode: " << this->CenterMode << "\n";
   os << indent << "Center: " << Triple(this->Center) << "\n";
   os << indent << "FindSelfIntersections: " << OnOff(this->FindSelfIntersections) << "\n";
+  os << indent << "MeasureThickness: " << OnOff(this->MeasureThickness) << "\n";
   os << indent << "EstimateCondition: " << OnOff(this->EstimateCondition) << "\n";
   os << indent << "Roundness: " << this->Roundness << "\n";
   os << indent << "WeldCoincidentPoints: " << OnOff(this->WeldCoincidentPoints) << "\n";

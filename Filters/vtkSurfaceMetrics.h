@@ -23,6 +23,8 @@
  *  - RadialCosine (1): cosine of the angle between normal and direction from the center; below 0
  * the surface is not star-shaped;
  *  - Opposition (1): share of the edges at the point whose normals' difference opposes them;
+ *  - with a reference and MeasureThickness ThicknessRatio (1): thickness at the point over that
+ *    before, NaN where the surface has none;
  *
  * and as field data all columns of output port 1.
  *
@@ -43,7 +45,9 @@
  * With EstimateCondition: Condition, PinnedCondition, ConditionAccuracy.
  * With a reference: AreaRatio, VolumeRatio, SmallestAreaRatio, LargestAreaRatio and AreaRatioSpread
  * (over cells), TurnedOver (triangles), DetailError, DihedralChange (degrees), LargestDisplacement
- * (length), and with FindSelfIntersections NewSelfIntersectionPairs, NewSelfIntersectingTriangles.
+ * (length), with MeasureThickness SmallestThicknessRatio and ThinnedShare (of points with a
+ * ThicknessRatio below 0.1, among those that have one; NaN both where none has), and with
+ * FindSelfIntersections NewSelfIntersectionPairs, NewSelfIntersectingTriangles.
  *
  * All but areas, volumes and lengths are numbers without a unit and do not depend on place and
  * size. Exact definitions: Filters/Documentation/SurfaceMetrics.md.
@@ -116,6 +120,16 @@ public:
 
   ///@{
   /**
+   * With a reference: measure how much of its thickness each point has kept, along its normal to
+   * the other side of the surface. Default on.
+   */
+  vtkSetMacro(MeasureThickness, bool);
+  vtkGetMacro(MeasureThickness, bool);
+  vtkBooleanMacro(MeasureThickness, bool);
+  ///@}
+
+  ///@{
+  /**
    * Estimate the condition number (Eq. 4.40) of the matrix that vtkSphericalStyleFilter solves with
    * at Roundness, to a relative accuracy of 1e-6. Default off.
    */
@@ -158,6 +172,7 @@ private:
   int CenterMode = POINT_MEAN;
   double Center[3] = { 0.0, 0.0, 0.0 };
   bool FindSelfIntersections = true;
+  bool MeasureThickness = true;
   bool EstimateCondition = false;
   double Roundness = 0.5;
   bool WeldCoincidentPoints = true;

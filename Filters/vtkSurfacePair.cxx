@@ -98,7 +98,7 @@ vtkSurfacePair vtkMakeSurfacePair(
 
   vtkSurfacePair pair;
   std::vector<vtkIdType> firstPoint;
-  const std::vector<int> number = NumberPairs(surface, before, firstPoint);
+  pair.Point = NumberPairs(surface, before, firstPoint);
   const auto n = static_cast<Eigen::Index>(firstPoint.size());
   pair.Rest.P.resize(n, 3);
   pair.Deformed.resize(n, 3);
@@ -112,7 +112,7 @@ vtkSurfacePair vtkMakeSurfacePair(
   {
     const auto kept = static_cast<Eigen::Index>(pair.Triangle.size());
     auto corners = pair.Rest.F.row(kept);
-    corners = surface.Corners.row(f).unaryExpr([&](vtkIdType i) { return number[i]; });
+    corners = surface.Corners.row(f).unaryExpr([&](vtkIdType i) { return pair.Point[i]; });
     if (!SphericalStyle::IsDegenerate(
           pair.Rest.P.row(corners(0)), pair.Rest.P.row(corners(1)), pair.Rest.P.row(corners(2))))
     {

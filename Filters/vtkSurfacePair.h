@@ -11,9 +11,10 @@
 /// coincide in both.
 struct vtkSurfacePair
 {
-  SphericalStyle::TriangleMesh Rest;      ///< before
-  SphericalStyle::Points Deformed;        ///< after, one row per point of Rest
-  std::vector<int> Triangle;              ///< number of each triangle in the mesh of the surface
+  SphericalStyle::TriangleMesh Rest; ///< before
+  SphericalStyle::Points Deformed;   ///< after, one row per point of Rest
+  std::vector<int> Point;            ///< of each input point; vtkSurfaceMesh::NotMoved for none
+  std::vector<int> Triangle;         ///< number of each triangle in the mesh of the surface
   SphericalStyle::TriangleMesh Reference; ///< all triangles of the reference by themselves
 };
 

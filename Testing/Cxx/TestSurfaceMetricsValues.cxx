@@ -295,6 +295,90 @@ void TurnedOver(Checker& check)
   }
 }
 
+/// Half edges 1, 2, 3; every face a fan of four triangles whose tip lies opposite the one across.
+Surface MakeFannedBox()
+{
+  const Surface box = MakeBox();
+  std::vector<Vector> x;
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    x.push_back(PointOf(box, i));
+  }
+  std::vector<Cell> triangles;
+  vtkNew<vtkIdList> quad;
+  for (vtkIdType c = 0; c < 6; ++c)
+  {
+    box->GetPolys()->GetCellAtId(c, quad);
+    const auto tip = static_cast<vtkIdType>(x.size());
+    Vector middle = { 0.0, 0.0, 0.0 };
+    for (int k = 0; k < 4; ++k)
+    {
+      triangles.push_back({ quad->GetId(k), quad->GetId((k + 1) % 4), tip });
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        middle[axis] += 0.25 * x[quad->GetId(k)][axis];
+      }
+    }
+    x.push_back(middle);
+  }
+  return MakeSurface(x, triangles);
+}
+
+void Thickness(Checker& check)
+{
+  check.About("thickness of a box pressed flat");
+  const Surface box = MakeFannedBox();
+  const auto press = [](const Vector& x) { return Vector{ x[0], 0.05 * x[1], 2.0 * x[2] }; };
+  const Surface pressed = Mapped(box, press);
+  WatchedMetrics m(pressed, box);
+  m.ExpectSilence(check);
+  const double expected[] = { 2.0, 2.0, 0.05, 0.05, 1.0, 1.0 }; // tips, in the order of the faces
+  for (vtkIdType face = 0; face < 6; ++face)
+  {
+    check.AtMost(std::abs(m.OfPoint("ThicknessRatio", 8 + face) - expected[face]), 1e-12,
+      "error at the tip of face " + Text(face));
+  }
+  m.Expect(check, "SmallestThicknessRatio", 0.05, 1e-12);
+  m.Expect(check, "ThinnedShare", 2.0 / 14.0, 1e-14);
+
+  check.About("thickness behind a point of no triangle");
+  std::vector<Vector> x = { { 9, 9, 9 } };
+  std::vector<Cell> triangles;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
+  {
+    x.push_back(PointOf(box, i));
+  }
+  for (vtkIdType c = 0; c < box->GetNumberOfCells(); ++c)
+  {
+    box->GetPolys()->GetCellAtId(c, ids);
+    triangles.push_back({ ids->GetId(0) + 1, ids->GetId(1) + 1, ids->GetId(2) + 1 });
+  }
+  const Surface shifted = MakeSurface(x, triangles);
+  WatchedMetrics more(Mapped(shifted, press), shifted);
+  check(std::isnan(more.OfPoint("ThicknessRatio", 0)), "it should have none");
+  for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
+  {
+    check(more.OfPoint("ThicknessRatio", 1 + i) == m.OfPoint("ThicknessRatio", i),
+      "point " + Text(i) + " should have the same as before");
+  }
+  more.Expect(check, "ThinnedShare", 2.0 / 14.0, 1e-14);
+
+  check.About("thickness of a sheet");
+  const Surface sheet =
+    MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, { { 0, 1, 2, 3 } });
+  WatchedMetrics none(sheet, sheet);
+  none.ExpectSilence(check);
+  check(std::isnan(none.OfPoint("ThicknessRatio", 2)) && none.Has("ThinnedShare") &&
+      std::isnan(none["ThinnedShare"]) && std::isnan(none["SmallestThicknessRatio"]),
+    "it should have none");
+
+  check.About("thickness switched off");
+  m->MeasureThicknessOff();
+  check(!m.Has("ThinnedShare") && !m.Output()->GetPointData()->HasArray("ThicknessRatio"),
+    "there should be nothing");
+}
+
 void NewSelfIntersections(Checker& check)
 {
   check.About("old and new self-intersections");
@@ -388,6 +472,7 @@ int TestSurfaceMetricsValues(int, char*[])
   Obtuse(check);
   Pair(check);
   TurnedOver(check);
+  Thickness(check);
   Invariance(check);
   Condition(check);
   if (WithCgal)

@@ -77,6 +77,8 @@ row = table(pair)
 assert abs(row["VolumeRatio"] - 2.0) < 1e-5 and row["TurnedOver"] == 0, row
 assert abs(row["LargestDisplacement"] - 0.5) < 1e-6 and row["PinnedCondition"] > row["Condition"] > 1
 assert {"AreaRatio", "TurnedOver"} <= set(pair.CellData.keys())
+assert pair.MeasureThickness == 1 and abs(row["SmallestThicknessRatio"] - 1.0) < 0.01, row
+assert row["ThinnedShare"] == 0 and "ThicknessRatio" in pair.PointData.keys()
 pair.Reference = None
 assert "VolumeRatio" not in table(pair)
 pair.Reference = Sphere(ThetaResolution=16, PhiResolution=16)

@@ -238,6 +238,81 @@ inline TriangleMesh EllipsoidUV(int around = 24, int rings = 16)
   return Make(points, CappedTube(around, rings));
 }
 
+/// A profile turned round the z axis; its points are (distance from the axis, z), the first and the
+/// last on the axis, running downward where it is convex.
+inline TriangleMesh Revolved(const std::vector<std::array<double, 2>>& profile, int around)
+{
+  std::vector<Vector> points;
+  for (std::size_t j = 1; j + 1 < profile.size(); ++j)
+  {
+    for (int i = 0; i < around; ++i)
+    {
+      const double phi = 2.0 * Pi * i / around;
+      points.push_back(
+        { profile[j][0] * std::cos(phi), profile[j][0] * std::sin(phi), profile[j][1] });
+    }
+  }
+  points.push_back({ 0, 0, profile.front()[1] });
+  points.push_back({ 0, 0, profile.back()[1] });
+  return Make(points, CappedTube(around, static_cast<int>(profile.size()) - 2));
+}
+
+/// A cup: a spherical wall of outer radius 1 that ends at the angle `rim` from its bottom.
+inline TriangleMesh Cup(double wall, double rim = 0.6 * Pi, int rings = 20, int around = 48)
+{
+  std::vector<std::array<double, 2>> profile;
+  for (int j = 0; j <= rings; ++j) // up the inside seen from the axis, so from the bottom
+  {
+    const double a = rim * j / rings;
+    profile.push_back({ (1.0 - wall) * std::sin(a), -(1.0 - wall) * std::cos(a) });
+  }
+  for (int j = rings; j >= 0; --j)
+  {
+    const double a = rim * j / rings;
+    profile.push_back({ std::sin(a), -std::cos(a) });
+  }
+  return Revolved(profile, around);
+}
+
+/// A ball of radius 1 that carries a round plate on a stem, square to the axis.
+inline TriangleMesh PlateOnBall(double plate, int around = 48)
+{
+  std::vector<std::array<double, 2>> profile = { { 0.0, 1.3 + plate } };
+  const auto to = [&](double r, double z, int steps)
+  {
+    const std::array<double, 2> from = profile.back();
+    for (int k = 1; k <= steps; ++k)
+    {
+      const double x = static_cast<double>(k) / steps;
+      profile.push_back({ from[0] + x * (r - from[0]), from[1] + x * (z - from[1]) });
+    }
+  };
+  to(0.8, 1.3 + plate, 14);
+  to(0.8, 1.3, 2);
+  to(0.1, 1.3, 12);
+  to(0.1, std::sqrt(0.99), 4);
+  const double top = std::asin(0.1);
+  for (int j = 1; j <= 36; ++j)
+  {
+    const double a = top + (Pi - top) * j / 36;
+    profile.push_back({ j < 36 ? std::sin(a) : 0.0, std::cos(a) });
+  }
+  return Revolved(profile, around);
+}
+
+/// Two spheres around the origin, the inner one facing inward: a wall without a rim.
+inline TriangleMesh HollowBall(double wall, int level)
+{
+  const TriangleMesh outer = Icosphere(level);
+  TriangleMesh mesh = outer;
+  const int n = outer.P.rows(), m = outer.F.rows();
+  mesh.P.conservativeResize(2 * n, 3);
+  mesh.P.bottomRows(n) = (1.0 - wall) * outer.P;
+  mesh.F.conservativeResize(2 * m, 3);
+  mesh.F.bottomRows(m) = outer.F.rowwise().reverse().array() + n;
+  return mesh;
+}
+
 /// Surface of [-1, 1]^3 times half, k squares along every edge, every square split along the same
 /// diagonal: 6 k^2 + 2 points.
 inline TriangleMesh Box(int k, const Vector& half = { 1, 1, 1 })

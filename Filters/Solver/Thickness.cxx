@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Thickness.h"
+
+#include "Frame.h"
+#include "Parallel.h"
+#include "SurfaceMeasures.h"
+
+#include <unsupported/Eigen/BVH>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace SphericalStyle
+{
+namespace
+{
+// Lengths are fractions of the diagonal.
+constexpr double Nearest = 1e-6;  // far above the rounding of points of single precision
+constexpr double Rounding = 1e-9; // a ray through an edge must not pass between its triangles
+
+using Tree = Eigen::KdBVH<double, 3, int>;
+
+Tree MakeTree(const TriangleMesh& mesh)
+{
+  std::vector<int> triangles(mesh.F.rows());
+  std::vector<Eigen::AlignedBox3d> boxes(mesh.F.rows());
+  for (int f = 0; f < static_cast<int>(mesh.F.rows()); ++f)
+  {
+    triangles[f] = f;
+    for (int k = 0; k < 3; ++k)
+    {
+      boxes[f].extend(mesh.P.row(mesh.F(f, k)).transpose());
+    }
+  }
+  return Tree(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
+}
+
+/// What a ray from a point of the mesh hits first, in the form that Eigen::BVMinimize asks for.
+struct FirstHit
+{
+  using Scalar = double;
+  static constexpr double Nothing = std::numeric_limits<double>::max();
+
+  const TriangleMesh& Mesh;
+  int Point;
+  Eigen::Vector3d Origin;
+  Eigen::Vector3d Direction;
+  Eigen::Vector3d Inverse; // of the direction, finite
+
+  double Distance = Nothing;
+  int Triangle = -1;
+  Eigen::Vector2d Place = { 0.0, 0.0 }; // barycentric coordinates 1 and 2
+
+  FirstHit(const TriangleMesh& mesh, int point, const Eigen::Vector3d& direction)
+    : Mesh(mesh)
+    , Point(point)
+    , Origin(mesh.P.row(point))
+    , Direction(direction)
+    , Inverse(direction.unaryExpr([](double x) { return 1.0 / (x == 0.0 ? 1e-300 : x); }))
+  {
+  }
+
+  /// Distance of the box along the ray.
+  double minimumOnVolume(const Eigen::AlignedBox3d& box) const
+  {
+    const Eigen::Array3d a = (box.min() - this->Origin).cwiseProduct(this->Inverse);
+    const Eigen::Array3d b = (box.max() - this->Origin).cwiseProduct(this->Inverse);
+    const double enters = std::max(0.0, a.min(b).maxCoeff() - Rounding);
+    const double leaves = a.max(b).minCoeff() + Rounding;
+    return enters <= leaves ? enters : Nothing;
+  }
+
+  /// Distance of the triangle along the ray (Moeller, Trumbore, Fast, minimum storage ray/triangle
+  /// intersection, 1997). Of two at one distance the first triangle is taken.
+  double minimumOnObject(int f)
+  {
+    const auto corners = this->Mesh.F.row(f);
+    if ((corners.array() == this->Point).any())
+    {
+      return Nothing;
+    }
+    const Eigen::Vector3d a = this->Mesh.P.row(corners(0));
+    const Eigen::Vector3d ab = this->Mesh.P.row(corners(1)).transpose() - a;
+    const Eigen::Vector3d ac = this->Mesh.P.row(corners(2)).transpose() - a;
+    const Eigen::Vector3d across = this->Direction.cross(ac);
+    const double determinant = ab.dot(across);
+    if (std::abs(determinant) <= 1e-12 * ab.norm() * ac.norm()) // along the ray
+    {
+      return Nothing;
+    }
+    const Eigen::Vector3d s = this->Origin - a;
+    const Eigen::Vector3d q = s.cross(ab);
+    const Eigen::Vector2d place(s.dot(across) / determinant, this->Direction.dot(q) / determinant);
+    const double distance = ac.dot(q) / determinant;
+    if (!(place.minCoeff() >= -Rounding && place.sum() <= 1.0 + Rounding && distance > Nearest))
+    {
+      return Nothing;
+    }
+    if (distance < this->Distance || (distance == this->Distance && f < this->Triangle))
+    {
+      this->Distance = distance;
+      this->Triangle = f;
+      this->Place = place;
+    }
+    return distance;
+  }
+};
+}
+
+ThicknessProbes PlaceThicknessProbes(
+  const TriangleMesh& rest, const std::vector<int>& points, int threads)
+{
+  ThicknessProbes probes;
+  if (rest.F.rows() == 0 || points.empty())
+  {
+    return probes;
+  }
+  const TriangleMesh mesh = { FrameOf(rest.P).Into(rest.P), rest.F };
+  const double inward = EnclosedVolume(mesh.P, mesh.F) < 0.0 ? 1.0 : -1.0;
+  const Points normals = PointNormals(mesh.P, mesh.F);
+  const Tree tree = MakeTree(mesh);
+
+  const int n = static_cast<int>(points.size());
+  std::vector<int> triangles(n, -1);
+  Points barycentric(n, 3);
+  ParallelFor(n, threads,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        const Eigen::Vector3d normal = normals.row(points[i]);
+        FirstHit hit(mesh, points[i], inward * normal);
+        if (normal.norm() > 0.5 && Eigen::BVMinimize(tree, hit) < FirstHit::Nothing)
+        {
+          triangles[i] = hit.Triangle;
+          barycentric.row(i) << 1.0 - hit.Place.sum(), hit.Place.transpose();
+        }
+      }
+    });
+  for (int i = 0; i < n; ++i)
+  {
+    if (triangles[i] >= 0)
+    {
+      barycentric.row(static_cast<Eigen::Index>(probes.points.size())) =
+        barycentric.row(i).eval(); // no row is overtaken
+      probes.points.push_back(points[i]);
+      probes.triangles.push_back(triangles[i]);
+    }
+  }
+  probes.barycentric = barycentric.topRows(static_cast<Eigen::Index>(probes.points.size()));
+  return probes;
+}
+
+Eigen::VectorXd ThicknessRatios(
+  const TriangleMesh& rest, const Points& deformed, const ThicknessProbes& probes)
+{
+  const auto thickness = [&](const Points& x, Eigen::Index i)
+  {
+    const auto corners = rest.F.row(probes.triangles[i]);
+    Eigen::RowVector3d across = -x.row(probes.points[i]);
+    for (int k = 0; k < 3; ++k)
+    {
+      across += probes.barycentric(i, k) * x.row(corners(k));
+    }
+    return across.norm();
+  };
+  Eigen::VectorXd ratio(static_cast<Eigen::Index>(probes.points.size()));
+  for (Eigen::Index i = 0; i < ratio.size(); ++i)
+  {
+    ratio(i) = thickness(deformed, i) / thickness(rest.P, i);
+  }
+  return ratio;
+}
+} // namespace SphericalStyle

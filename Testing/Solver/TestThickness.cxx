@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Thickness before and after: on boxes by hand, on a bumpy surface against a search through all
+/// triangles, and what the style leaves of walls and plates.
+#include "Check.h"
+#include "Meshes.h"
+#include "StyleSolver.h"
+#include "SurfaceMeasures.h"
+#include "Thickness.h"
+
+#include <numeric>
+
+using namespace SphericalStyle;
+using Eigen::Vector3d;
+
+namespace
+{
+ThicknessProbes ProbesOf(const TriangleMesh& mesh, int threads = 1, int stride = 1)
+{
+  std::vector<int> points;
+  for (int i = 0; i < mesh.P.rows(); i += stride)
+  {
+    points.push_back(i);
+  }
+  return PlaceThicknessProbes(mesh, points, threads);
+}
+
+Vector3d Opposite(const TriangleMesh& mesh, const ThicknessProbes& probes, std::size_t i)
+{
+  const Points corners = mesh.P(mesh.F.row(probes.triangles[i]), Eigen::all);
+  return (probes.barycentric.row(static_cast<Eigen::Index>(i)) * corners).transpose();
+}
+
+bool Same(const ThicknessProbes& a, const ThicknessProbes& b)
+{
+  return a.points == b.points && a.triangles == b.triangles &&
+    Meshes::SameBits(a.barycentric, b.barycentric);
+}
+
+void TestBox()
+{
+  const Vector3d half(1.0, 2.0, 3.0);
+  const TriangleMesh box = Meshes::Box(6, half);
+  const ThicknessProbes probes = ProbesOf(box);
+  CHECK(static_cast<Eigen::Index>(probes.points.size()) == box.P.rows(),
+    "every point of a box has an opposite one, " << probes.points.size() << " have");
+  const Vector3d factors(2.0, 0.03, 1.0);
+  const Eigen::VectorXd ratio = ThicknessRatios(box, Meshes::Scaled(box, factors).P, probes);
+  int inFaces = 0;
+  for (std::size_t i = 0; i < probes.points.size(); ++i)
+  {
+    const Vector3d p = box.P.row(probes.points[i]);
+    const auto onSide = (p.cwiseAbs() - half).array().abs() < 1e-12;
+    if (onSide.count() != 1)
+    {
+      continue; // normals of edges point elsewhere
+    }
+    ++inFaces;
+    Vector3d mirrored = p;
+    for (int k = 0; k < 3; ++k)
+    {
+      if (onSide(k))
+      {
+        mirrored[k] = -p[k];
+        CHECK_NEAR(
+          ratio(static_cast<Eigen::Index>(i)), factors[k], 1e-12, "ratio along axis " << k);
+      }
+    }
+    CHECK_NEAR((Opposite(box, probes, i) - mirrored).norm(), 0.0, 1e-12,
+      "distance from the point opposite " << p.transpose());
+    CHECK_NEAR(probes.barycentric.row(static_cast<Eigen::Index>(i)).sum(), 1.0, 1e-14, "sum");
+  }
+  CHECK(inFaces == 6 * 25, inFaces << " points should lie in faces");
+}
+
+// A search through all triangles, by the volumes of the tetrahedra that segment and edges span.
+void TestAgainstSearch()
+{
+  const TriangleMesh mesh = Meshes::Perturbed(Meshes::Ellipsoid(3), 0.03, 9);
+  const Points normals = PointNormals(mesh.P, mesh.F);
+  const ThicknessProbes probes = ProbesOf(mesh);
+  const auto volume = [](const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d)
+  { return (b - a).cross(c - a).dot(d - a); };
+  std::size_t probe = 0;
+  for (int i = 0; i < mesh.P.rows(); ++i)
+  {
+    const Vector3d p = mesh.P.row(i);
+    const Vector3d far = p - 5.0 * normals.row(i).transpose();
+    double nearest = 1.0;
+    for (int f = 0; f < mesh.F.rows(); ++f)
+    {
+      if ((mesh.F.row(f).array() == i).any())
+      {
+        continue;
+      }
+      const Vector3d a = mesh.P.row(mesh.F(f, 0)), b = mesh.P.row(mesh.F(f, 1)),
+                     c = mesh.P.row(mesh.F(f, 2));
+      const double s = volume(p, far, a, b), t = volume(p, far, b, c), u = volume(p, far, c, a);
+      const double before = volume(a, b, c, p), behind = volume(a, b, c, far);
+      if (s * t >= 0.0 && t * u >= 0.0 && s * u >= 0.0 && before * behind < 0.0)
+      {
+        nearest = std::min(nearest, before / (before - behind));
+      }
+    }
+    const bool found = probe < probes.points.size() && probes.points[probe] == i;
+    CHECK(found == (nearest < 1.0), "point " << i << " should have an opposite one: " << !found);
+    if (found)
+    {
+      CHECK_NEAR((Opposite(mesh, probes, probe) - p).norm(), 5.0 * nearest, 1e-9,
+        "thickness at point " << i);
+      ++probe;
+    }
+  }
+  CHECK(probe > 600, "most points should have an opposite one, " << probe << " have");
+}
+
+void TestInvariance()
+{
+  const TriangleMesh mesh = Meshes::Perturbed(Meshes::Ellipsoid(3), 0.02, 3);
+  const ThicknessProbes probes = ProbesOf(mesh);
+  CHECK(Same(probes, ProbesOf(mesh, 7)), "threads should not matter");
+  Meshes::Random random(5);
+  const Points turned = (3.0 * mesh.P * random.Rotation()).rowwise() + Eigen::RowVector3d(1, 2, 3);
+  const Eigen::VectorXd ratio = ThicknessRatios(mesh, turned, probes);
+  CHECK_NEAR((ratio.array() - 3.0).abs().maxCoeff(), 0.0, 1e-11, "moved and three times as large");
+
+  const ThicknessProbes few = ProbesOf(mesh, 1, 7);
+  const Eigen::VectorXd ofFew = ThicknessRatios(mesh, mesh.P, few);
+  CHECK(few.points.size() > 80 && (ofFew.array() == 1.0).all(), "undeformed, ratios should be 1");
+  for (const int i : few.points)
+  {
+    CHECK(i % 7 == 0, "only points asked for, not " << i);
+  }
+
+  TriangleMesh insideOut = mesh;
+  insideOut.F = mesh.F.rowwise().reverse().eval();
+  const ThicknessProbes reversed = ProbesOf(insideOut);
+  CHECK(reversed.points == probes.points && reversed.triangles == probes.triangles,
+    "inside out, the opposite points should be the same");
+}
+
+void TestWithout()
+{
+  CHECK(ProbesOf(Meshes::Patch(12, 0.0)).points.empty(), "a flat sheet has no thickness");
+  CHECK(PlaceThicknessProbes(Meshes::Box(2), {}, 1).points.empty(), "no point, no probe");
+  CHECK(ProbesOf({ Points::Zero(2, 3), Triangles(0, 3) }).points.empty(), "no triangle, no probe");
+  const TriangleMesh one = Meshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } });
+  CHECK(ProbesOf(one).points.empty(), "one triangle has no thickness");
+}
+
+// Both sides of the wall see each other, none sees through the cavity.
+void TestHollowBall()
+{
+  const TriangleMesh ball = Meshes::HollowBall(0.1, 3);
+  const ThicknessProbes probes = ProbesOf(ball);
+  CHECK(
+    static_cast<Eigen::Index>(probes.points.size()) == ball.P.rows(), "every point is on a wall");
+  for (std::size_t i = 0; i < probes.points.size(); ++i)
+  {
+    const Vector3d p = ball.P.row(probes.points[i]);
+    CHECK_NEAR((Opposite(ball, probes, i) - p).norm(), 0.1, 0.01, "wall at point " << i);
+  }
+}
+
+double Median(Eigen::VectorXd x)
+{
+  std::nth_element(x.begin(), x.begin() + x.size() / 2, x.end());
+  return x(x.size() / 2);
+}
+
+Eigen::VectorXd Left(const TriangleMesh& mesh, double lambda, double detailSize)
+{
+  StyleOptions options;
+  options.lambda = lambda;
+  options.detailSize = detailSize;
+  options.sphericalWeighting = SphericalWeighting::Cotangent;
+  options.centerMode = CenterMode::AreaCentroid;
+  StyleSolver solver;
+  solver.SetMesh(mesh);
+  solver.Solve(options);
+  return ThicknessRatios(mesh, solver.GetPositions(), ProbesOf(mesh));
+}
+
+// [blend]: (p - q).(d_p - d_q) is never negative, so no two points come nearer than to
+// 1 / (1 + sqrt(3) lambda), and on one ray from O they come as near as that.
+void TestBlendBound()
+{
+  for (const double lambda : { 0.5, 2.0, 5.0, 10.0 })
+  {
+    const double least = 1.0 / (1.0 + std::sqrt(3.0) * lambda);
+    for (const TriangleMesh& mesh :
+      { Meshes::HollowBall(0.1, 3), Meshes::Cup(0.1), Meshes::PlateOnBall(0.08) })
+    {
+      const Eigen::VectorXd left = Left(mesh, lambda, 0.0);
+      CHECK(left.minCoeff() >= 0.99 * least,
+        "lambda " << lambda << " should leave " << least << ", it leaves " << left.minCoeff());
+    }
+    const Eigen::VectorXd wall = Left(Meshes::HollowBall(0.1, 3), lambda, 0.0);
+    CHECK_NEAR(Median(wall), least, 0.02 * least, "a wall square to the rays, lambda " << lambda);
+  }
+}
+
+// What details kept do for sheets, as the page of the measure tells it: the wall of a cup, whose
+// rim holds both sides, keeps more; two sheets that nothing joins keep less.
+void TestDetailsKept()
+{
+  struct Shape
+  {
+    const char* name;
+    TriangleMesh mesh;
+  };
+  const Shape shapes[] = { { "hollow ball", Meshes::HollowBall(0.1, 4) },
+    { "cup", Meshes::Cup(0.1) }, { "plate on a ball", Meshes::PlateOnBall(0.08) } };
+  for (const Shape& shape : shapes)
+  {
+    for (const double lambda : { 0.5, 5.0, 10.0 })
+    {
+      const Eigen::VectorXd plain = Left(shape.mesh, lambda, 0.0);
+      const Eigen::VectorXd kept = Left(shape.mesh, lambda, 0.03);
+      std::cout << shape.name << ", lambda " << lambda << ": least " << plain.minCoeff()
+                << " without details, " << kept.minCoeff() << " with; median " << Median(plain)
+                << ", " << Median(kept) << std::endl;
+      if (&shape == &shapes[0])
+      {
+        CHECK(Median(kept) < Median(plain), "details should not hold two sheets apart");
+      }
+      if (&shape == &shapes[1] && lambda > 1.0)
+      {
+        CHECK(Median(kept) > 1.2 * Median(plain), "the rim should hold the sides of a wall");
+      }
+    }
+  }
+}
+}
+
+int main()
+{
+  TestBox();
+  TestAgainstSearch();
+  TestInvariance();
+  TestWithout();
+  TestHollowBall();
+  TestBlendBound();
+  TestDetailsKept();
+  return CheckResult();
+}
