@@ -7,17 +7,21 @@
 #include "vtkFoldGuard.h"
 #include "vtkLongEdges.h"
 #include "vtkStyleHistory.h"
+#include "vtkStyleReview.h"
 #include "vtkSurfaceMeshConversion.h"
 #include "vtkSurfaceRegion.h"
 
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -176,7 +180,9 @@ struct vtkSphericalStyleFilter::Internals
 {
   SphericalStyle::StyleSolver Solver;
   SphericalStyle::NonlinearFeature Nonlinear;
-  vtkFoldGuard::Result Guarded; // of this execution, empty without the guard
+  vtkFoldGuard::Result Guarded;         // of this execution, empty without the guard
+  SphericalStyle::StyleOptions Options; // of the last solve of the linear feature, as wanted
+  vtkStyleReview Review;
 
   struct Inputs
   {
@@ -209,6 +215,13 @@ struct vtkSphericalStyleFilter::Internals
   void WarnOfNonlinear(
     vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const;
   void SetFacts(vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const;
+  /// Warns of thinned parts and gives the advice, for the linear feature; none for the thesis,
+  /// which is to be as it is.
+  void Comment(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
+    const SphericalStyle::StyleReport& report, const Points& Q);
+  /// All that an execution says of itself.
+  void Tell(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
+    const SphericalStyle::StyleReport& report, const Points& Q, vtkTable* history);
   void AttachArrays(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
     const Eigen::VectorXd& regionWeights, vtkPolyData* input, vtkPolyData* output) const;
 };
@@ -386,15 +399,15 @@ SphericalStyle::StyleReport vtkSphericalStyleFilter::Internals::Solve(vtkSpheric
   {
     return run(this->Nonlinear, MakeNonlinearOptions(self, surface, inputs, region));
   }
-  const SphericalStyle::StyleOptions options = MakeOptions(self, surface, inputs, region);
+  this->Options = MakeOptions(self, surface, inputs, region);
   if (!IsGuarded(self) || mesh.F.rows() == 0)
   {
-    return run(this->Solver, options);
+    return run(this->Solver, this->Options);
   }
   const int type =
     vtkSurfaceMeshConversion::OutputPointType(inputs.Model, self->OutputPointsPrecision);
   this->Guarded =
-    vtkFoldGuard::Solve(this->Solver, options, mesh, type == VTK_FLOAT, finish, callback);
+    vtkFoldGuard::Solve(this->Solver, this->Options, mesh, type == VTK_FLOAT, finish, callback);
   Q = this->Guarded.Positions;
   return this->Guarded.Style;
 }
@@ -460,6 +473,41 @@ void vtkSphericalStyleFilter::Internals::SetFacts(
   self->TurnedOverAfter = counted ? guard.after.turnedOver : NotCounted;
   self->NewIntersectionsBefore = counted ? guard.before.newPairs : NotCounted;
   self->NewIntersectionsAfter = counted ? guard.after.newPairs : NotCounted;
+  self->Advice.clear();
+}
+
+void vtkSphericalStyleFilter::Internals::Comment(vtkSphericalStyleFilter* self,
+  const vtkSurfaceMesh& surface, const SphericalStyle::StyleReport& report, const Points& Q)
+{
+  if (Q.rows() == 0 || self->Feature != LINEAR || report.loop.aborted)
+  {
+    return;
+  }
+  const vtkStyleReview::Remarks remarks = this->Review.Look(surface, Q, this->Options, report);
+  if (!remarks.Thinned.empty())
+  {
+    vtkWarningWithObjectMacro(self, << remarks.Thinned);
+  }
+  self->Advice = self->ReproduceThesis ? "" : remarks.Advice;
+}
+
+void vtkSphericalStyleFilter::Internals::Tell(vtkSphericalStyleFilter* self,
+  const vtkSurfaceMesh& surface, const SphericalStyle::StyleReport& report, const Points& Q,
+  vtkTable* history)
+{
+  SetFacts(self, report);
+  Warn(self, surface, report);
+  if (self->Feature == NONLINEAR && Q.rows() > 0)
+  {
+    this->WarnOfNonlinear(self, report);
+  }
+  this->Comment(self, surface, report, Q);
+  vtkStyleHistory::Fill(history, report, "Spherical");
+  vtkFoldGuard::Fill(history, this->Guarded);
+  vtkNew<vtkStringArray> advice;
+  advice->SetName("Advice");
+  advice->InsertNextValue(self->Advice);
+  history->GetFieldData()->AddArray(advice);
 }
 
 void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* self,
@@ -619,14 +667,7 @@ int vtkSphericalStyleFilter::RequestData(
   vtkSurfaceMeshConversion::ReplacePoints(
     output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);
   this->Internal->AttachArrays(this, surface, regionWeights, inputs.Model, output);
-  vtkStyleHistory::Fill(history, report, "Spherical");
-  vtkFoldGuard::Fill(history, this->Internal->Guarded);
-  this->Internal->Warn(this, surface, report);
-  if (this->Feature == NONLINEAR && Q.rows() > 0)
-  {
-    this->Internal->WarnOfNonlinear(this, report);
-  }
-  this->Internal->SetFacts(this, report);
+  this->Internal->Tell(this, surface, report, Q, history);
   this->Internal->Guarded = {};
   return 1;
 }
@@ -678,4 +719,5 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TurnedOverAfter: " << this->TurnedOverAfter << "\n";
   os << indent << "NewIntersectionsBefore: " << this->NewIntersectionsBefore << "\n";
   os << indent << "NewIntersectionsAfter: " << this->NewIntersectionsAfter << "\n";
+  os << indent << "Advice: " << this->Advice << "\n";
 }

@@ -65,10 +65,18 @@ assert list(fact("EffectiveCenter")) == [0.0, 0.0, 0.1], list(fact("EffectiveCen
 assert fact("EffectiveRadius") == 0.7, fact("EffectiveRadius")
 for name in ("TurnedOverBefore", "TurnedOverAfter", "NewIntersectionsBefore", "NewIntersectionsAfter"):
     assert fact(name) == -1, (name, fact(name))
+assert fact("Advice").startswith("SphericalWeighting Cotangent: "), fact("Advice")
+assert fact("Advice") == filter_.GetAdvice()
+assert rounded.GetProperty("Advice").SMProperty.GetPanelVisibility() == "default"
 table = servermanager.Fetch(rounded, idx=1)
 assert table.GetClassName() == "vtkTable"
 assert table.GetNumberOfRows() == fact("NumberOfIterations") + 1
 assert table.GetColumnByName("Total") is not None
+assert table.GetFieldData().GetAbstractArray("Advice").GetValue(0) == fact("Advice")
+rounded.SphericalWeighting = "Cotangent"  # followed
+UpdatePipeline(proxy=rounded)
+rounded.UpdatePipelineInformation()
+assert fact("Advice") == "", fact("Advice")
 
 # ------------------------------------------------------------------------------------------ arrays
 weighted = Calculator(Input=long_sphere, Function="0", ResultArrayName="still")

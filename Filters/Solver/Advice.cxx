@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Advice.h"
+
+#include "DeformationMeasures.h"
+#include "MeshQuality.h"
+#include "SurfaceMeasures.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace SphericalStyle
+{
+namespace
+{
+// From where on a fact is worth a word. "Models" are 15 scans and drawings.
+
+/// Models with directions from the center have 0.5 % or less, with normals 2 % or more.
+constexpr double TurnedOverLimit = 0.01;
+/// Meshes of even triangles have 2 % or less, what scanners and drawing programs give 24 % or more.
+constexpr double ObtuseLimit = 0.2;
+/// Even triangles are within 1.3, and 2 is already one more level of refinement somewhere.
+constexpr double AreaFactorLimit = 2.0;
+/// Bodies with limbs have 0.1 to 0.22, assemblies and what curls around its center 0.4 or more.
+constexpr double FacingAwayLimit = 0.3;
+/// As much bent in and out again as a ball is bent; animals have 9 or more, a box 1.
+constexpr double CurvatureLimit = 2.0;
+/// Less than that and a face is no longer read: lambda 1.2 with one center.
+constexpr double ReliefLimit = 1.0 / 3.0;
+
+std::string Percent(double share)
+{
+  return std::to_string(std::lround(100.0 * share)) + " %";
+}
+
+/// Six times the signed volume of the tetrahedron of a triangle and an apex.
+double TripleProduct(const Points& P, const Triangles& F, Eigen::Index f, const Eigen::Vector3d& O)
+{
+  const Eigen::Vector3d a = P.row(F(f, 0)).transpose() - O;
+  const Eigen::Vector3d b = P.row(F(f, 1)).transpose() - O;
+  const Eigen::Vector3d c = P.row(F(f, 2)).transpose() - O;
+  return a.dot(b.cross(c));
+}
+
+/// Of a triangle seen from O, with the sign of TripleProduct (Van Oosterom, Strackee, The solid
+/// angle of a plane triangle, 1983).
+double SolidAngle(const Points& P, const Triangles& F, Eigen::Index f, const Eigen::Vector3d& O)
+{
+  Eigen::Matrix3d x;
+  for (int k = 0; k < 3; ++k)
+  {
+    x.col(k) = P.row(F(f, k)).transpose() - O;
+  }
+  const Eigen::RowVector3d r = x.colwise().norm();
+  const double below = r.prod() + x.col(0).dot(x.col(1)) * r(2) + x.col(1).dot(x.col(2)) * r(0) +
+    x.col(2).dot(x.col(0)) * r(1);
+  return 2.0 * std::atan2(TripleProduct(P, F, f, O), below);
+}
+
+void MeasureCenter(const TriangleMesh& mesh, const Eigen::Vector3d& O, ResultFacts& facts)
+{
+  const Eigen::VectorXd areas = TriangleAreas(mesh.P, mesh.F);
+  double angle = 0.0;
+  double volume = 0.0;
+  double away = 0.0;
+  double toward = 0.0;
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+  {
+    const double product = TripleProduct(mesh.P, mesh.F, f, O);
+    angle += SolidAngle(mesh.P, mesh.F, f, O);
+    volume += product;
+    (product < 0.0 ? away : toward) += areas(f);
+  }
+  if (volume < 0.0) // inside out
+  {
+    std::swap(away, toward);
+  }
+  facts.facingAwayShare = away / (away + toward);
+  // The sum is a multiple of 4 pi if the surface is closed, and 0 from outside.
+  facts.centerOutside = std::abs(angle) < 1e-6 && volume != 0.0;
+}
+
+bool ManyTurned(const TriangleMesh& mesh, const Points& Q)
+{
+  const Points before = TriangleNormals(mesh.P, mesh.F);
+  const Points after = TriangleNormals(Q, mesh.F);
+  const auto turned = (before.cwiseProduct(after).rowwise().sum().array() < 0.0).count();
+  return static_cast<double>(turned) >= TurnedOverLimit * static_cast<double>(mesh.F.rows());
+}
+
+/// Half-edges within the part of one center.
+double MeasureRelief(
+  const TriangleMesh& mesh, const Points& Q, const StyleOptions& o, const StyleReport& report)
+{
+  const auto part = [&o](int i) { return o.centerIds.empty() ? 0 : o.centerIds[i]; };
+  const auto distances = [&](const Points& x)
+  {
+    Eigen::VectorXd distance(x.rows());
+    for (int i = 0; i < static_cast<int>(x.rows()); ++i)
+    {
+      distance(i) = (x.row(i).transpose() - report.spheres[part(i)].center).norm();
+    }
+    return distance;
+  };
+  const Eigen::VectorXd before = distances(mesh.P);
+  const Eigen::VectorXd after = distances(Q);
+  double sumBefore = 0.0;
+  double sumAfter = 0.0;
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int u = mesh.F(f, HalfEdgeStart(k));
+      const int v = mesh.F(f, HalfEdgeEnd(k));
+      if (part(u) == part(v))
+      {
+        sumBefore += (before(u) - before(v)) * (before(u) - before(v));
+        sumAfter += (after(u) - after(v)) * (after(u) - after(v));
+      }
+    }
+  }
+  return sumBefore > 0.0 ? std::sqrt(sumAfter / sumBefore) : 1.0;
+}
+
+/// Sum over the points of |2 pi - their angles| over 4 pi. Points on a border do not count: their
+/// triangles are no full turn, and then the numbers of the points around do not cancel.
+double AbsoluteCurvature(const TriangleMesh& mesh, const Eigen::VectorXd& angleSums)
+{
+  std::vector<long long> balance(mesh.P.rows(), 0);
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      balance[mesh.F(f, k)] += mesh.F(f, HalfEdgeEnd(k)) - mesh.F(f, HalfEdgeStart(k));
+    }
+  }
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < angleSums.size(); ++i)
+  {
+    sum += balance[i] == 0 && angleSums(i) > 0.0 ? std::abs(2.0 * Pi - angleSums(i)) : 0.0;
+  }
+  return sum / (4.0 * Pi);
+}
+
+bool UsesNormals(const StyleOptions& o)
+{
+  return o.targets.rows() == 0 &&
+    (o.normalBlends.size() > 0 ? o.normalBlends.maxCoeff() : o.normalBlend) > 0.0;
+}
+}
+
+SurfaceFacts MeasureSurface(const TriangleMesh& mesh)
+{
+  const Points& P = mesh.P;
+  const Triangles& F = mesh.F;
+  const double diagonal = (P.colwise().maxCoeff() - P.colwise().minCoeff()).norm();
+  const Eigen::VectorXd areas = TriangleAreas(P, F);
+  SurfaceFacts facts;
+  Eigen::VectorXd angleSums = Eigen::VectorXd::Zero(P.rows());
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    double longest = 0.0;
+    bool obtuse = false;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Eigen::Vector3d x = P.row(F(f, HalfEdgeStart(k))) - P.row(F(f, k));
+      const Eigen::Vector3d y = P.row(F(f, HalfEdgeEnd(k))) - P.row(F(f, k));
+      longest = std::max(longest, x.norm());
+      obtuse |= x.dot(y) < -RightAngle * x.norm() * y.norm();
+      angleSums(F(f, k)) += std::atan2(2.0 * areas(f), x.dot(y));
+    }
+    facts.obtuseShare += obtuse;
+    facts.longEdgeShare += longest >= LongEdge * diagonal ? areas(f) : 0.0;
+  }
+  facts.obtuseShare /= static_cast<double>(F.rows());
+  facts.longEdgeShare /= areas.sum();
+  facts.areaFactor = std::exp(LogSpread(areas));
+  facts.curvature = AbsoluteCurvature(mesh, angleSums);
+  facts.components = MeshTopology(F, static_cast<int>(P.rows())).GetNumberOfComponents();
+  return facts;
+}
+
+ResultFacts MeasureResult(
+  const TriangleMesh& mesh, const Points& Q, const StyleOptions& o, const StyleReport& report)
+{
+  ResultFacts facts;
+  if (report.spheres.size() == 1) // several need not be star-shaped around any
+  {
+    MeasureCenter(mesh, report.sphere.center, facts);
+  }
+  if (ManyTurned(mesh, Q))
+  {
+    const Matrices R = SurfaceRotations(mesh, Q, o.threads);
+    facts.turnedOverShare = static_cast<double>(CountTurnedOver(mesh.P, Q, mesh.F, R)) /
+      static_cast<double>(mesh.F.rows());
+  }
+  facts.relief = MeasureRelief(mesh, Q, o, report);
+  return facts;
+}
+
+std::string Advise(const StyleOptions& o, const SurfaceFacts& surface, const ResultFacts& result)
+{
+  const bool turned = result.turnedOverShare >= TurnedOverLimit;
+  const std::string turnedOver = Percent(result.turnedOverShare) + " of the triangles turned over";
+  const bool facingAway = result.facingAwayShare >= FacingAwayLimit;
+  const bool uniform = o.sphericalWeighting == SphericalWeighting::Uniform;
+  struct Rule
+  {
+    bool applies;
+    std::string advice;
+  };
+  // What spoils the result comes before what is only not as good as it could be.
+  const Rule rules[] = {
+    { turned && UsesNormals(o), "lower NormalBlend: " + turnedOver },
+    { turned && o.edgeWeighting == EdgeWeighting::FullEdge,
+      "EdgeWeighting HalfEdge: " + turnedOver },
+    // PLACE FOR ComponentCoupling: surface.components > 1 and Independent -> "ComponentCoupling
+    // Stitched: N parts that share no edge".
+    { result.centerOutside, "Center inside of the model: it lies outside" },
+    // PLACE FOR AvoidSelfIntersections: turned and off -> "AvoidSelfIntersections: " + turnedOver.
+    { turned && facingAway, "vtkConvexProxyDeformFilter: " + turnedOver },
+    { turned, "lower Roundness: " + turnedOver },
+    { uniform && surface.obtuseShare >= ObtuseLimit,
+      "SphericalWeighting Cotangent: " + Percent(surface.obtuseShare) +
+        " of the triangles are obtuse" },
+    { uniform && surface.areaFactor >= AreaFactorLimit,
+      "SphericalWeighting Cotangent: areas of triangles differ by a factor of " +
+        std::to_string(std::lround(surface.areaFactor)) },
+    // PLACE FOR RefineLongEdges: surface.longEdgeShare and off -> "RefineLongEdges: N % of the area
+    // have edges above a tenth of the diagonal".
+    { o.detailSize == 0.0 && surface.curvature >= CurvatureLimit && result.relief < ReliefLimit,
+      "DetailSize 0.03: details keep " + Percent(result.relief) + " of their height" },
+    { facingAway,
+      "several centers (center ids): " + Percent(result.facingAwayShare) +
+        " of the surface faces away from the center" },
+  };
+  const auto rule =
+    std::find_if(std::begin(rules), std::end(rules), [](const Rule& r) { return r.applies; });
+  return o.lambda > 0.0 && rule != std::end(rules) ? rule->advice : std::string();
+}
+} // namespace SphericalStyle

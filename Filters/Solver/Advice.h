@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What would improve a result, from what is measured on mesh and result. [advice]
+#ifndef SphericalStyle_Advice_h
+#define SphericalStyle_Advice_h
+
+#include "StyleSolver.h"
+
+#include <string>
+
+namespace SphericalStyle
+{
+/// What matters of the mesh alone. Shares are 0..1.
+struct SurfaceFacts
+{
+  double obtuseShare = 0.0; ///< triangles with an angle above a right one, of all
+  double areaFactor = 1.0;  ///< by which areas of triangles differ: exp of the deviation of the log
+  double longEdgeShare = 0.0; ///< area of triangles with an edge of LongEdge diagonals or more
+  double curvature = 0.0;     ///< integral of |Gaussian curvature| over 4 pi: 1 for convex bodies
+  int components = 0;
+};
+constexpr double LongEdge = 0.1;
+SurfaceFacts MeasureSurface(const TriangleMesh& mesh);
+
+/// What matters of a result. Shares are 0..1.
+struct ResultFacts
+{
+  bool centerOutside = false;   ///< O lies outside of a closed surface
+  double facingAwayShare = 0.0; ///< area whose normal at rest points toward O, of all
+  /// Triangles turned over, of all; only looked for where as many have turned by a right angle.
+  double turnedOverShare = 0.0;
+  /// How much the distance from O still varies along the edges: rms after over before.
+  double relief = 1.0;
+};
+/// @param Q  the points of the result @param o, report  those of the solve that led there
+ResultFacts MeasureResult(
+  const TriangleMesh& mesh, const Points& Q, const StyleOptions& o, const StyleReport& report);
+
+/// The one change that helps most, and the fact that says so, as "Property Value: fact", in one
+/// line. Empty where nothing is to be said, and for options that nobody should change: lambda 0.
+std::string Advise(const StyleOptions& o, const SurfaceFacts& surface, const ResultFacts& result);
+} // namespace SphericalStyle
+
+#endif

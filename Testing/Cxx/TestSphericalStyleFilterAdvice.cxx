@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// What the filter says of its result: the warning of thinned parts, and the advice, which comes in
+/// every execution, in method and table alike, and changes nothing.
+#include "FilterTesting.h"
+
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <sstream>
+
+using namespace FilterTesting;
+
+namespace
+{
+/// The wall between two spheres of radius 1 and .9, behind `loose` points of no face.
+Surface MakeHollowBall(vtkIdType loose)
+{
+  const Surface outer = MakeEllipsoid({ 1.0, 1.0, 1.0 });
+  const Surface inner = MakeEllipsoid({ 0.9, 0.9, -0.9 }); // turned, so facing inward
+  const Surface ball = Together({ outer, inner });
+  std::vector<Vector> points(loose, { 5.0, 5.0, 5.0 });
+  for (vtkIdType i = 0; i < ball->GetNumberOfPoints(); ++i)
+  {
+    points.push_back(PointOf(ball, i));
+  }
+  std::vector<Cell> polygons;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = 0; c < ball->GetNumberOfPolys(); ++c)
+  {
+    ball->GetPolys()->GetCellAtId(c, ids);
+    polygons.push_back({ ids->GetId(0) + loose, ids->GetId(1) + loose, ids->GetId(2) + loose });
+  }
+  return MakeSurface(points, polygons);
+}
+
+void Thinned(Checker& check)
+{
+  for (const vtkIdType loose : { 0, 3 })
+  {
+    check.About("a wall behind " + Text(loose) + " points");
+    WatchedFilter filter(MakeHollowBall(loose));
+    filter.Output();
+    check(filter.Warnings.empty(), "a little roundness should leave it thick enough");
+    filter->SetRoundness(10.0);
+    filter.Output();
+    if (check(filter.Warnings.size() == 1, "there should be one warning"))
+    {
+      for (const std::string& part :
+        std::vector<std::string>{ "less than a tenth of the thickness is left at 292 points",
+          "of 292 looked at", "the first is point " + Text(loose) + ";" })
+      {
+        check(Contains(filter.Warnings[0], part),
+          "the warning should say \"" + part + "\" and says " + filter.Warnings[0]);
+      }
+    }
+    filter.Warnings.clear();
+    filter->SetInputData(MakeEllipsoid({ 1.0, 0.8, 2.0 })); // nothing kept of the old mesh
+    filter.Output();
+    check(filter.Warnings.empty(), "a body has no wall to lose");
+    filter->SetInputData(MakeHollowBall(loose));
+    filter->SetRoundness(5.0);
+    filter.Output();
+    check(filter.Warnings.empty(), "a tenth is left");
+    filter->SetDetailSize(0.03);
+    filter.Output();
+    check(filter.Warnings.size() == 1, "details do not hold two sheets apart");
+  }
+}
+
+/// That of the method; it must be that of the table and of PrintSelf too.
+std::string AdviceOf(Checker& check, WatchedFilter& filter)
+{
+  filter.Output();
+  const std::string advice = filter->GetAdvice();
+  auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+  auto* ofTable =
+    vtkArrayDownCast<vtkStringArray>(table->GetFieldData()->GetAbstractArray("Advice"));
+  check(ofTable ? ofTable->GetNumberOfValues() == 1 && ofTable->GetValue(0) == advice
+                : advice.empty() && table->GetNumberOfRows() == 0,
+    "the table should hold the advice '" + advice + "'");
+  std::ostringstream text;
+  filter->Print(text);
+  check(Contains(text.str(), "Advice: " + advice + "\n"), "PrintSelf should print it");
+  return advice;
+}
+
+void Expect(
+  Checker& check, const std::string& about, WatchedFilter& filter, const std::string& beginning)
+{
+  check.About(about);
+  const std::string advice = AdviceOf(check, filter);
+  check(beginning.empty() ? advice.empty() : advice.rfind(beginning, 0) == 0,
+    "the advice should begin with '" + beginning + "' and is '" + advice + "'");
+}
+
+void Advice(Checker& check)
+{
+  const Surface slivers = MakeEllipsoid({ 1.0, 0.7, 0.4 }, Faces::Triangles, 12, 40);
+  WatchedFilter filter(slivers);
+  check(std::string(filter->GetAdvice()).empty(), "before an execution there is none");
+  Expect(check, "defaults", filter, "");
+  filter->SetSphericalWeightingToUniform();
+  const vtkMTimeType before = filter->GetMTime();
+  Expect(check, "uniform weights", filter, "SphericalWeighting Cotangent: ");
+  check(filter->GetMTime() == before &&
+      filter->GetSphericalWeighting() == vtkSphericalStyleFilter::UNIFORM,
+    "nothing should change by itself");
+  filter->ReproduceThesisOn();
+  Expect(check, "the thesis", filter, "");
+  filter->ReproduceThesisOff();
+  Expect(check, "uniform weights again", filter, "SphericalWeighting Cotangent: ");
+  filter->SetRoundness(-1.0);
+  Expect(check, "after an error", filter, "");
+  check(filter.Errors.size() == 1, "there should have been an error");
+  filter->SetRoundness(0.5);
+  filter->SetFeatureToNonlinear();
+  Expect(check, "the nonlinear feature", filter, "");
+  filter->SetFeatureToLinear();
+  filter->SetSphericalWeightingToCotangent();
+  Expect(check, "followed", filter, "");
+
+  filter->SetCenterModeToCustom();
+  for (const double z : { 0.0, 3.0, 0.1, -3.0 })
+  {
+    filter->SetCenter(0.0, 0.0, z);
+    Expect(check, "center at " + vtkVariant(z).ToString(), filter,
+      std::abs(z) > 1.0 ? "Center inside of the model: " : "");
+  }
+  filter->SetInputData(vtkNew<vtkPolyData>());
+  Expect(check, "empty input", filter, "");
+}
+}
+
+int TestSphericalStyleFilterAdvice(int, char*[])
+{
+  Checker check;
+  Thinned(check);
+  Advice(check);
+  return check.Result();
+}

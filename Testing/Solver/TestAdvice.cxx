@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Facts by hand, the order of the advice, and for each advice a mesh that gets it and no longer
+/// does once it is followed.
+#include "Advice.h"
+#include "Check.h"
+#include "Meshes.h"
+
+using namespace SphericalStyle;
+using Eigen::Vector3d;
+
+namespace
+{
+StyleOptions Defaults()
+{
+  StyleOptions options;
+  options.sphericalWeighting = SphericalWeighting::Cotangent;
+  options.centerMode = CenterMode::AreaCentroid;
+  return options;
+}
+
+struct Outcome
+{
+  SurfaceFacts surface;
+  ResultFacts result;
+  std::string advice;
+};
+
+Outcome Run(const TriangleMesh& mesh, const StyleOptions& options)
+{
+  StyleSolver solver;
+  solver.SetMesh(mesh);
+  const StyleReport report = solver.Solve(options);
+  Outcome outcome;
+  outcome.surface = MeasureSurface(mesh);
+  outcome.result = MeasureResult(mesh, solver.GetPositions(), options, report);
+  outcome.advice = Advise(options, outcome.surface, outcome.result);
+  return outcome;
+}
+
+/// The advice must begin with `expected` and must hold the figure; after `follow` it is gone.
+template <typename Follow>
+void ExpectAdvice(const char* about, const TriangleMesh& mesh, StyleOptions options,
+  const std::string& expected, const std::string& figure, const Follow& follow)
+{
+  const Outcome before = Run(mesh, options);
+  CHECK(before.advice.rfind(expected + ": ", 0) == 0,
+    about << ": '" << expected << "' should be advised, not '" << before.advice << "'");
+  CHECK(before.advice.find(figure) != std::string::npos &&
+      before.advice.find('\n') == std::string::npos,
+    about << ": '" << before.advice << "' should say " << figure << " in one line");
+  follow(options);
+  const Outcome after = Run(mesh, options);
+  CHECK(after.advice.rfind(expected, 0) != 0,
+    about << ": followed, the advice should be gone and is '" << after.advice << "'");
+}
+
+/// Two balls that run into each other at a waist of radius 0.2: concave, star-shaped around 0.
+TriangleMesh Peanut()
+{
+  TriangleMesh mesh = Meshes::Icosphere(4);
+  for (int i = 0; i < mesh.P.rows(); ++i)
+  {
+    const double z = mesh.P(i, 2);
+    mesh.P.row(i) *= 0.2 + 0.8 * z * z;
+  }
+  return mesh;
+}
+
+/// Two balls four radii from the origin, on a bar through it: three eighths of each face away.
+TriangleMesh Dumbbell()
+{
+  std::vector<std::array<double, 2>> profile = { { 0.0, 5.0 } };
+  for (int j = 1; j < 30; ++j) // the upper ball down to the bar
+  {
+    const double a = (Meshes::Pi - 0.1) * j / 29;
+    profile.push_back({ std::sin(a), 4.0 + std::cos(a) });
+  }
+  for (int j = 29; j >= 0; --j)
+  {
+    profile.push_back({ profile[j][0], -profile[j][1] });
+  }
+  return Meshes::Revolved(profile, 32);
+}
+
+/// A ball with bumps, of many times the curvature of a ball.
+TriangleMesh Bumpy()
+{
+  TriangleMesh mesh = Meshes::Icosphere(5);
+  for (int i = 0; i < mesh.P.rows(); ++i)
+  {
+    const Vector3d p = mesh.P.row(i);
+    mesh.P.row(i) *=
+      1.0 + 0.03 * std::sin(25.0 * p.x()) * std::sin(25.0 * p.y()) * std::sin(25.0 * p.z());
+  }
+  return mesh;
+}
+
+void TestSurfaceFacts()
+{
+  // Box of half edges 1, 2, 3: right angles and diagonals, all edges long, areas 2, 3 and 6
+  // times 2.
+  const SurfaceFacts box = MeasureSurface(Meshes::Box(1, { 1, 2, 3 }));
+  CHECK(box.obtuseShare == 0.0 && box.longEdgeShare == 1.0 && box.components == 1,
+    "a box has no obtuse triangle, long edges, one part");
+  CHECK_NEAR(box.curvature, 1.0, 1e-14, "curvature of a convex body");
+  const Eigen::Array3d logarithms(std::log(2.0), std::log(3.0), std::log(6.0));
+  CHECK_NEAR(box.areaFactor, std::exp(std::sqrt((logarithms - logarithms.mean()).square().mean())),
+    1e-13, "areas of a box");
+  const SurfaceFacts fine = MeasureSurface(Meshes::Box(40, { 1, 2, 3 }));
+  CHECK(fine.longEdgeShare == 0.0, "a fine box has no long edges: " << fine.longEdgeShare);
+
+  const TriangleMesh house = Meshes::House();
+  CHECK_NEAR(MeasureSurface(house).obtuseShare,
+    static_cast<double>(Meshes::CountObtuse(house)) / static_cast<double>(house.F.rows()), 1e-15,
+    "obtuse triangles of the house");
+  CHECK(MeasureSurface(Meshes::TwoComponents()).components == 2, "two parts");
+  // Border points have no curvature: what is left of a flat sheet is 0.
+  CHECK_NEAR(MeasureSurface(Meshes::Patch(8, 0.0)).curvature, 0.0, 1e-12, "a flat sheet");
+  CHECK_NEAR(MeasureSurface(Meshes::Ellipsoid(4)).curvature, 1.0, 1e-12, "a convex body");
+  CHECK(MeasureSurface(Bumpy()).curvature > 10.0, "bumps are bent");
+  const TriangleMesh moved = { (1e3 * Bumpy().P).rowwise() + Eigen::RowVector3d(1e4, 0, 0),
+    Bumpy().F };
+  CHECK_NEAR(
+    MeasureSurface(moved).curvature, MeasureSurface(Bumpy()).curvature, 1e-6, "moved and scaled");
+}
+
+void TestCenterFacts()
+{
+  StyleOptions options = Defaults();
+  options.centerMode = CenterMode::Custom;
+  const TriangleMesh ball = Meshes::Icosphere(5);
+  TriangleMesh insideOut = ball;
+  insideOut.F = ball.F.rowwise().reverse().eval();
+  for (const TriangleMesh& mesh : { ball, insideOut })
+  {
+    // From two radii away a ball shows the quarter of its area that is nearer than a polar angle of
+    // 60 degrees; the normals there point toward O.
+    options.custom.center = { 0.0, 0.0, 2.0 };
+    const ResultFacts outside = Run(mesh, options).result;
+    CHECK(outside.centerOutside, "two radii away is outside");
+    CHECK_NEAR(outside.facingAwayShare, 0.25, 0.01, "what faces O");
+    options.custom.center = { 0.0, 0.3, 0.9 };
+    const ResultFacts inside = Run(mesh, options).result;
+    CHECK(!inside.centerOutside && inside.facingAwayShare == 0.0, "nothing faces O from inside");
+  }
+  // An open surface has no outside.
+  options.custom.center = { 0.0, 0.0, 9.0 };
+  CHECK(!Run(Meshes::Patch(8, 0.3), options).result.centerOutside, "a sheet has no outside");
+}
+
+void TestReliefFact()
+{
+  for (const double lambda : { 0.5, 5.0 })
+  {
+    StyleOptions options = Defaults();
+    options.lambda = lambda;
+    // The blend of [blend] divides differences of |p - O| by 1 + sqrt(3) lambda, but for the move
+    // of the centroid.
+    CHECK_NEAR(Run(Bumpy(), options).result.relief, 1.0 / (1.0 + std::sqrt(3.0) * lambda), 2e-3,
+      "relief left at lambda " << lambda);
+  }
+  StyleOptions still = Defaults();
+  still.lambda = 0.0;
+  const Outcome rest = Run(Bumpy(), still);
+  CHECK_NEAR(rest.result.relief, 1.0, 1e-9, "relief at lambda 0");
+  CHECK(rest.advice.empty(), "with lambda 0 there is nothing to advise, not " << rest.advice);
+}
+
+void TestNothingToAdvise()
+{
+  for (const Meshes::Named& m : { Meshes::Named{ "ball", Meshes::Icosphere(3) },
+         Meshes::Named{ "ellipsoid", Meshes::Ellipsoid(3) }, Meshes::Named{ "box", Meshes::Box(6) },
+         Meshes::Named{ "peanut", Peanut() }, Meshes::Named{ "bumps", Bumpy() } })
+  {
+    const std::string advice = Run(m.mesh, Defaults()).advice;
+    CHECK(advice.empty(), m.name << " with defaults: '" << advice << "'");
+  }
+  StyleOptions large = Defaults();
+  large.lambda = 5.0;
+  CHECK(Run(Meshes::Ellipsoid(3), large).advice.empty(), "an ellipsoid has no details to lose");
+}
+
+void TestEachAdvice()
+{
+  StyleOptions options = Defaults();
+  options.normalBlend = 1.0;
+  ExpectAdvice("normals as targets", Peanut(), options, "lower NormalBlend", " % of the triangles",
+    [](StyleOptions& o) { o.normalBlend = 0.0; });
+  options.normalBlends = Eigen::VectorXd::Ones(Peanut().P.rows());
+  options.normalBlend = 0.0;
+  ExpectAdvice("normals by array", Peanut(), options, "lower NormalBlend", " % of the triangles",
+    [](StyleOptions& o) { o.normalBlends *= 0.0; });
+
+  options = Defaults();
+  options.centerMode = CenterMode::Custom;
+  options.custom.center = { 0.0, 0.0, 2.0 };
+  ExpectAdvice("O outside", Meshes::Icosphere(3), options, "Center inside of the model", "outside",
+    [](StyleOptions& o) {
+      o.custom.center = { 0.0, 0.0, 0.5 };
+    });
+
+  options = Defaults();
+  options.sphericalWeighting = SphericalWeighting::Uniform;
+  const auto cotangent = [](StyleOptions& o)
+  { o.sphericalWeighting = SphericalWeighting::Cotangent; };
+  const TriangleMesh house = Meshes::House();
+  ExpectAdvice("obtuse triangles", house, options, "SphericalWeighting Cotangent",
+    std::to_string(std::lround(100.0 * Meshes::CountObtuse(house) / house.F.rows())) +
+      " % of the triangles are obtuse",
+    cotangent);
+  // Rings that crowd together toward one end, of right triangles.
+  TriangleMesh uneven = Meshes::Box(12);
+  uneven.P = (uneven.P.array() + 1.05).pow(3.0).matrix().eval();
+  ExpectAdvice("uneven triangles", uneven, options, "SphericalWeighting Cotangent", "", cotangent);
+
+  options = Defaults();
+  options.lambda = 5.0;
+  ExpectAdvice("details lost", Bumpy(), options, "DetailSize 0.03", "10 % of their height",
+    [](StyleOptions& o) { o.detailSize = 0.03; });
+  ExpectAdvice("details lost", Bumpy(), options, "DetailSize 0.03", "10 % of their height",
+    [](StyleOptions& o) { o.lambda = 0.5; });
+
+  options = Defaults();
+  ExpectAdvice("a cup around O", Meshes::Cup(0.1), options, "Center inside of the model", "outside",
+    [](StyleOptions& o)
+    {
+      o.centerMode = CenterMode::Custom;
+      o.custom.center = { 0.0, 0.0, -0.95 };
+    });
+  ExpectAdvice("two balls on a bar", Dumbbell(), options, "several centers (center ids)",
+    " % of the surface faces away",
+    [](StyleOptions& o)
+    {
+      const TriangleMesh mesh = Dumbbell();
+      for (int i = 0; i < mesh.P.rows(); ++i)
+      {
+        o.centerIds.push_back(mesh.P(i, 2) > 0.0 ? 1 : 0);
+      }
+    });
+}
+
+/// Facts and options that bring every advice at once: the most important is given, and one goes
+/// after the other in a fixed order.
+void TestOrder()
+{
+  StyleOptions options;
+  options.lambda = 5.0;
+  options.normalBlend = 0.5;
+  options.edgeWeighting = EdgeWeighting::FullEdge;
+  SurfaceFacts surface;
+  surface.obtuseShare = 0.534;
+  surface.areaFactor = 4.2;
+  surface.curvature = 30.0;
+  ResultFacts result;
+  result.centerOutside = true;
+  result.facingAwayShare = 0.46;
+  result.turnedOverShare = 0.123;
+  result.relief = 0.1;
+  const auto expect = [&](const std::string& advice)
+  {
+    const std::string given = Advise(options, surface, result);
+    CHECK(given == advice, "'" << advice << "' should be advised, not '" << given << "'");
+  };
+  expect("lower NormalBlend: 12 % of the triangles turned over");
+  options.normalBlend = 0.0;
+  expect("EdgeWeighting HalfEdge: 12 % of the triangles turned over");
+  options.edgeWeighting = EdgeWeighting::HalfEdge;
+  expect("Center inside of the model: it lies outside");
+  result.centerOutside = false;
+  expect("vtkConvexProxyDeformFilter: 12 % of the triangles turned over");
+  result.facingAwayShare = 0.2;
+  expect("lower Roundness: 12 % of the triangles turned over");
+  result.turnedOverShare = 0.005;
+  result.facingAwayShare = 0.46;
+  expect("SphericalWeighting Cotangent: 53 % of the triangles are obtuse");
+  surface.obtuseShare = 0.1;
+  expect("SphericalWeighting Cotangent: areas of triangles differ by a factor of 4");
+  options.sphericalWeighting = SphericalWeighting::Cotangent;
+  expect("DetailSize 0.03: details keep 10 % of their height");
+  surface.curvature = 1.5;
+  expect("several centers (center ids): 46 % of the surface faces away from the center");
+  result.facingAwayShare = 0.2;
+  expect("");
+}
+}
+
+int main()
+{
+  TestSurfaceFacts();
+  TestCenterFacts();
+  TestReliefFact();
+  TestNothingToAdvise();
+  TestEachAdvice();
+  TestOrder();
+  return CheckResult();
+}
