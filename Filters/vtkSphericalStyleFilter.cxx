@@ -489,6 +489,7 @@ void vtkSphericalStyleFilter::Internals::Comment(vtkSphericalStyleFilter* self,
     vtkWarningWithObjectMacro(self, << remarks.Thinned);
   }
   self->Advice = self->ReproduceThesis ? "" : remarks.Advice;
+  self->AdviceTime.Modified();
 }
 
 void vtkSphericalStyleFilter::Internals::Tell(vtkSphericalStyleFilter* self,
@@ -506,7 +507,7 @@ void vtkSphericalStyleFilter::Internals::Tell(vtkSphericalStyleFilter* self,
   vtkFoldGuard::Fill(history, this->Guarded);
   vtkNew<vtkStringArray> advice;
   advice->SetName("Advice");
-  advice->InsertNextValue(self->Advice);
+  advice->InsertNextValue(self->GetAdvice());
   history->GetFieldData()->AddArray(advice);
 }
 
@@ -595,6 +596,12 @@ void vtkSphericalStyleFilter::SetSelectionConnection(vtkAlgorithmOutput* selecti
 void vtkSphericalStyleFilter::SetSelectionData(vtkDataObject* selection)
 {
   this->SetInputData(SELECTION, selection);
+}
+
+const char* vtkSphericalStyleFilter::GetAdvice()
+{
+  // ParaView asks for it between a change and the execution: it must not show that of the last one.
+  return this->AdviceTime.GetMTime() > this->GetMTime() ? this->Advice.c_str() : "";
 }
 
 int vtkSphericalStyleFilter::FillInputPortInformation(int port, vtkInformation* info)
@@ -719,5 +726,5 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TurnedOverAfter: " << this->TurnedOverAfter << "\n";
   os << indent << "NewIntersectionsBefore: " << this->NewIntersectionsBefore << "\n";
   os << indent << "NewIntersectionsAfter: " << this->NewIntersectionsAfter << "\n";
-  os << indent << "Advice: " << this->Advice << "\n";
+  os << indent << "Advice: " << this->GetAdvice() << "\n";
 }

@@ -103,6 +103,7 @@
 
 #include "SphericalStyleFiltersModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkTimeStamp.h" // for vtkTimeStamp
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
@@ -568,9 +569,10 @@ public:
   /**
    * The one change that would improve the result of the last execution most, in one line, from what
    * was measured: "SphericalWeighting Cotangent: 53 % of the triangles are obtuse". Empty where
-   * there is none, with ReproduceThesis and with Feature Nonlinear. Nothing is changed by itself.
+   * there is none, with ReproduceThesis, with Feature Nonlinear, and from a change of a property to
+   * the next execution. Nothing is changed by itself.
    */
-  const char* GetAdvice() const { return this->Advice.c_str(); }
+  const char* GetAdvice();
 
 protected:
   vtkSphericalStyleFilter();
@@ -632,6 +634,7 @@ private:
   int NewIntersectionsBefore = NotCounted;
   int NewIntersectionsAfter = NotCounted;
   std::string Advice;
+  vtkTimeStamp AdviceTime;
 
   struct Internals; // the solver, kept between executions
   std::unique_ptr<Internals> Internal;

@@ -106,6 +106,9 @@ void Advice(Checker& check)
   check(filter->GetMTime() == before &&
       filter->GetSphericalWeighting() == vtkSphericalStyleFilter::UNIFORM,
     "nothing should change by itself");
+  filter->SetRoundness(0.6);
+  check(std::string(filter->GetAdvice()).empty(), "after a change there should be none");
+  Expect(check, "another roundness", filter, "SphericalWeighting Cotangent: ");
   filter->ReproduceThesisOn();
   Expect(check, "the thesis", filter, "");
   filter->ReproduceThesisOff();
