@@ -14,6 +14,12 @@ namespace
 /// Looked at for their thickness; so many find a thin part that a user would see.
 constexpr int LargestNumberOfProbes = 2000;
 
+#ifdef SPHERICALSTYLE_WITH_CGAL
+constexpr bool WithCgal = true;
+#else
+constexpr bool WithCgal = false;
+#endif
+
 std::vector<int> EveryFew(int n)
 {
   const int stride = (n + LargestNumberOfProbes - 1) / LargestNumberOfProbes;
@@ -83,6 +89,6 @@ vtkStyleReview::Remarks vtkStyleReview::Look(
   {
     remarks.Thinned = this->LookAtThickness(surface, Q, o.threads);
   }
-  remarks.Advice = Advise(o, this->Facts, MeasureResult(this->Mesh, Q, o, report));
+  remarks.Advice = Advise(o, this->Facts, MeasureResult(this->Mesh, Q, o, report), WithCgal);
   return remarks;
 }

@@ -38,8 +38,10 @@ ResultFacts MeasureResult(
   const TriangleMesh& mesh, const Points& Q, const StyleOptions& o, const StyleReport& report);
 
 /// The one change that helps most, and the fact that says so, as "Property Value: fact", in one
-/// line. Empty where nothing is to be said, and for options that nobody should change: lambda 0.
-std::string Advise(const StyleOptions& o, const SurfaceFacts& surface, const ResultFacts& result);
+/// line. Empty where nothing is to be said, as with lambda 0.
+/// @param withCgal  whether what needs CGAL is there to be advised
+std::string Advise(
+  const StyleOptions& o, const SurfaceFacts& surface, const ResultFacts& result, bool withCgal);
 } // namespace SphericalStyle
 
 #endif

@@ -96,7 +96,7 @@ void Expect(
 
 void Advice(Checker& check)
 {
-  const Surface slivers = MakeEllipsoid({ 1.0, 0.7, 0.4 }, Faces::Triangles, 12, 40);
+  const Surface slivers = MakeEllipsoid({ 1.0, 0.7, 0.4 }, Faces::Triangles, 36, 40);
   WatchedFilter filter(slivers);
   check(std::string(filter->GetAdvice()).empty(), "before an execution there is none");
   Expect(check, "defaults", filter, "");
@@ -130,6 +130,12 @@ void Advice(Checker& check)
     Expect(check, "center at " + vtkVariant(z).ToString(), filter,
       std::abs(z) > 1.0 ? "Center inside of the model: " : "");
   }
+  filter->SetCenterModeToAreaCentroid();
+  filter->SetInputData(MakeEllipsoid({ 1.0, 0.7, 0.4 }, Faces::Triangles, 8, 6));
+  Expect(check, "large triangles", filter, "RefineLongEdges: 100 % of the area");
+  filter->RefineLongEdgesOn();
+  Expect(check, "large triangles split", filter, "");
+  filter->RefineLongEdgesOff();
   filter->SetInputData(vtkNew<vtkPolyData>());
   Expect(check, "empty input", filter, "");
 }

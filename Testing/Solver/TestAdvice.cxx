@@ -34,7 +34,7 @@ Outcome Run(const TriangleMesh& mesh, const StyleOptions& options)
   Outcome outcome;
   outcome.surface = MeasureSurface(mesh);
   outcome.result = MeasureResult(mesh, solver.GetPositions(), options, report);
-  outcome.advice = Advise(options, outcome.surface, outcome.result);
+  outcome.advice = Advise(options, outcome.surface, outcome.result, true);
   return outcome;
 }
 
@@ -75,6 +75,11 @@ TriangleMesh Dumbbell()
   {
     const double a = (Meshes::Pi - 0.1) * j / 29;
     profile.push_back({ std::sin(a), 4.0 + std::cos(a) });
+  }
+  const std::array<double, 2> end = profile.back();
+  for (int j = 1; j < 20; ++j)
+  {
+    profile.push_back({ end[0], (1.0 - j / 10.0) * end[1] });
   }
   for (int j = 29; j >= 0; --j)
   {
@@ -169,9 +174,10 @@ void TestReliefFact()
 
 void TestNothingToAdvise()
 {
-  for (const Meshes::Named& m : { Meshes::Named{ "ball", Meshes::Icosphere(3) },
-         Meshes::Named{ "ellipsoid", Meshes::Ellipsoid(3) }, Meshes::Named{ "box", Meshes::Box(6) },
-         Meshes::Named{ "peanut", Peanut() }, Meshes::Named{ "bumps", Bumpy() } })
+  for (const Meshes::Named& m :
+    { Meshes::Named{ "ball", Meshes::Icosphere(3) },
+      Meshes::Named{ "ellipsoid", Meshes::Ellipsoid(3) }, Meshes::Named{ "box", Meshes::Box(20) },
+      Meshes::Named{ "peanut", Peanut() }, Meshes::Named{ "bumps", Bumpy() } })
   {
     const std::string advice = Run(m.mesh, Defaults()).advice;
     CHECK(advice.empty(), m.name << " with defaults: '" << advice << "'");
@@ -251,15 +257,17 @@ void TestOrder()
   SurfaceFacts surface;
   surface.obtuseShare = 0.534;
   surface.areaFactor = 4.2;
+  surface.longEdgeShare = 0.55;
   surface.curvature = 30.0;
   ResultFacts result;
   result.centerOutside = true;
   result.facingAwayShare = 0.46;
   result.turnedOverShare = 0.123;
   result.relief = 0.1;
+  bool withCgal = true;
   const auto expect = [&](const std::string& advice)
   {
-    const std::string given = Advise(options, surface, result);
+    const std::string given = Advise(options, surface, result, withCgal);
     CHECK(given == advice, "'" << advice << "' should be advised, not '" << given << "'");
   };
   expect("lower NormalBlend: 12 % of the triangles turned over");
@@ -270,13 +278,19 @@ void TestOrder()
   result.centerOutside = false;
   expect("vtkConvexProxyDeformFilter: 12 % of the triangles turned over");
   result.facingAwayShare = 0.2;
+  expect("AvoidSelfIntersections: 12 % of the triangles turned over");
+  withCgal = false;
   expect("lower Roundness: 12 % of the triangles turned over");
+  result.facingAwayShare = 0.46;
+  expect("lower Roundness: 12 % of the triangles turned over"); // the proxy needs CGAL too
   result.turnedOverShare = 0.005;
   result.facingAwayShare = 0.46;
   expect("SphericalWeighting Cotangent: 53 % of the triangles are obtuse");
   surface.obtuseShare = 0.1;
   expect("SphericalWeighting Cotangent: areas of triangles differ by a factor of 4");
   options.sphericalWeighting = SphericalWeighting::Cotangent;
+  expect("RefineLongEdges: 55 % of the area has edges above a tenth of the diagonal");
+  surface.longEdgeShare = 0.05;
   expect("DetailSize 0.03: details keep 10 % of their height");
   surface.curvature = 1.5;
   expect("several centers (center ids): 46 % of the surface faces away from the center");
