@@ -220,8 +220,9 @@ std::string Advise(
     { turned && UsesNormals(o), "lower NormalBlend: " + turnedOver },
     { turned && o.edgeWeighting == EdgeWeighting::FullEdge,
       "EdgeWeighting HalfEdge: " + turnedOver },
-    // PLACE FOR ComponentCoupling: surface.components > 1 and Independent -> "ComponentCoupling
-    // Stitched: N parts that share no edge".
+    { surface.components > 1 && o.componentCoupling == ComponentCoupling::Independent,
+      "ComponentCoupling Stitched: " + std::to_string(surface.components) +
+        " parts share no edge" },
     { result.centerOutside, "Center inside of the model: it lies outside" },
     { turned && facingAway && withCgal, "vtkConvexProxyDeformFilter: " + turnedOver },
     { turned && withCgal, "AvoidSelfIntersections: " + turnedOver },

@@ -930,10 +930,11 @@ void TestMethod()
     CHECK(now < spread, "with less t it should be rounder: " << now << " at " << t);
     spread = now;
   }
-  // Its mean point stays.
+  // Its centroid stays.
   const DeformedProxy& proxy = deformation.GetProxy();
-  const double move = (proxy.rounded.colwise().mean() - proxy.rest.P.colwise().mean()).norm();
-  CHECK(move <= 1e-12, "the mean point of the proxy moved by " << move);
+  const Eigen::VectorXd areas = PointAreas(proxy.rest.P, proxy.rest.F);
+  const double move = (areas.transpose() * (proxy.rounded - proxy.rest.P)).norm() / areas.sum();
+  CHECK(move <= 1e-12, "the centroid of the proxy moved by " << move);
 
   // A convex model fills its hull, a closed one with a dent less, an open one has no volume.
   const auto ratio = [&](const TriangleMesh& mesh)

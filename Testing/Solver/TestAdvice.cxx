@@ -259,6 +259,7 @@ void TestOrder()
   surface.areaFactor = 4.2;
   surface.longEdgeShare = 0.55;
   surface.curvature = 30.0;
+  surface.components = 19;
   ResultFacts result;
   result.centerOutside = true;
   result.facingAwayShare = 0.46;
@@ -274,6 +275,8 @@ void TestOrder()
   options.normalBlend = 0.0;
   expect("EdgeWeighting HalfEdge: 12 % of the triangles turned over");
   options.edgeWeighting = EdgeWeighting::HalfEdge;
+  expect("ComponentCoupling Stitched: 19 parts share no edge");
+  options.componentCoupling = ComponentCoupling::Stitched;
   expect("Center inside of the model: it lies outside");
   result.centerOutside = false;
   expect("vtkConvexProxyDeformFilter: 12 % of the triangles turned over");
