@@ -43,7 +43,7 @@
  *
  * Method [proxy], steps: convex hull; even points and triangles on it (ProxyMesher); foot
  * q = sum b_k q_k, b >= 0, sum b = 1 of every point p (Projection); the proxy rounded with
- * NormalBlend 0 by the solver of vtkSphericalStyleFilter, its mean point kept; and
+ * NormalBlend 0 by the solver of vtkSphericalStyleFilter, its centroid kept; and
  *
  *     p' = (1 - t) q' + t p,   q' = sum b_k q'_k        (Eq. 5.18)
  *

@@ -19,7 +19,7 @@ packages=(
   libfreetype-dev libgl-dev libglew-dev libjpeg-dev libopengl-dev libpng-dev libx11-dev libxext-dev
   # a screen for tests and demo: X server, software OpenGL, icons
   libgl1-mesa-dri libqt5svg5 xauth xvfb
-  python3-matplotlib python3-numpy python3-pil)
+  python3-matplotlib python3-numpy python3-pil python3-scipy)
 
 case ${1:-} in
   "") ;;
