@@ -64,7 +64,10 @@ void Thinned(Checker& check)
     check(filter.Warnings.empty(), "a tenth is left");
     filter->SetDetailSize(0.03);
     filter.Output();
-    check(filter.Warnings.size() == 1, "details do not hold two sheets apart");
+    check(filter.Warnings.empty(), "stitches and details should hold two sheets apart");
+    filter->SetComponentCouplingToIndependent();
+    filter.Output();
+    check(filter.Warnings.size() == 1, "details alone do not hold two sheets apart");
   }
 }
 

@@ -166,6 +166,7 @@ void RemainingRoundness(Checker& check)
   rest->GetPointData()->AddArray(remaining);
   again->SetInputData(rest);
   again->SetNormalBlend(1.0);
+  again->SetSphericalWeightingToUniform();
   again->SetRoundness(1.0);
   again->SetInputArrayToProcess(RoundnessArray, 0, 0, OfPoints, "RemainingRoundness");
   check(SamePoints(again.Output(), output), "the array as factors should give the same bits");
