@@ -113,7 +113,7 @@ def around(height):
 
 picture("center.png", (1000, 330), [[
     (cube, "model"),
-    (rounded(cube, Roundness=1.0), "center: Point Mean"),
+    (rounded(cube, Roundness=1.0), "center: Area Centroid"),
     (around(-0.15), "0.15 below the top"),
     (around(0.15), "0.15 above the top"),
 ]], 25.0, 13)
