@@ -42,6 +42,7 @@ def radius_spread(Q):
 rounded = vtkSphericalStyleFilter()
 rounded.SetInputConnection(reader.GetOutputPort())
 rounded.SetRoundness(5.0)
+rounded.SetSphericalWeightingToUniform()  # iterates, for the table
 rounded.SetOutputPointsPrecision(vtkSphericalStyleFilter.DOUBLE_PRECISION)
 curvatures = vtkCurvatures()
 curvatures.SetCurvatureTypeToMean()
@@ -71,7 +72,7 @@ assert np.allclose(array(rounded, "TargetDirection"), d, atol=1e-12)
 # ---------------------------------------------------------------------------- table of the energies
 table = rounded.GetOutputDataObject(1)
 total = vtk_to_numpy(table.GetColumnByName("Total"))
-assert rounded.GetConverged() and len(total) == rounded.GetNumberOfIterations() + 1
+assert rounded.GetConverged() and len(total) == rounded.GetNumberOfIterations() + 1 > 2
 assert total[-1] == rounded.GetFinalEnergy() > 0.0
 assert (np.diff(total) <= 1e-12 * total[0]).all(), "the energy should never rise"
 
