@@ -5,7 +5,6 @@ facts arrive.
 
 usage: pvpython TestNormalAnalogyFilterProxy.py SphericalStyle.so FOLDER_FOR_A_STATE
 """
-import math
 import os
 import sys
 
@@ -13,45 +12,11 @@ from paraview import servermanager
 from paraview.simple import *
 from paraview.modules.vtkRemotingViews import vtkSMParaViewPipelineControllerWithRendering
 
-import sphericalstyle  # gives the C++ object behind the proxy its methods
+from ProxyTesting import arrays, bounds, check_entries, check_state, make_long_sphere, update
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
-
-def update(proxy):
-    UpdatePipeline(proxy=proxy)
-    proxy.UpdatePipelineInformation()
-
-
-def bounds(proxy):
-    return proxy.GetDataInformation().GetBounds()
-
-
-def arrays(proxy):
-    data = servermanager.Fetch(proxy).GetPointData()
-    return {data.GetArrayName(k): data.GetArray(k).GetNumberOfComponents()
-            for k in range(data.GetNumberOfArrays())}
-
-
-def check_entries(proxy, names):
-    """Each entry of each enumeration reaches C++ and runs."""
-    for name in names:
-        in_cxx = getattr(proxy.SMProxy.GetClientSideObject(), "Get" + name)
-        entries = list(proxy.GetProperty(name).GetAvailable())
-        assert len(entries) > 1, (name, entries)
-        default = entries[in_cxx()]
-        for value, entry in enumerate(entries):
-            proxy.SetPropertyWithName(name, entry)
-            update(proxy)
-            assert in_cxx() == value, (name, entry, in_cxx())
-            assert all(map(math.isfinite, bounds(proxy))), (name, entry)
-        proxy.SetPropertyWithName(name, default)
-
-
-sphere = Sphere(ThetaResolution=32, PhiResolution=32)
-model = Calculator(Input=sphere, Function="coordsX*iHat + coordsY*jHat + 2*coordsZ*kHat",
-                   CoordinateResults=1)
-UpdatePipeline(proxy=model)
+model = make_long_sphere()
 n = model.GetDataInformation().GetNumberOfPoints()
 
 # ----------------------------------------------------------------- defaults, as the panel gets them
@@ -102,14 +67,5 @@ analogy.StyleMesh = Box(registrationName="MyBox", YLength=2.0)
 check_entries(analogy, ("Style", "StopRule", "OutputPointsPrecision"))
 
 # ------------------------------------------------------------------------------------------ state
-RenameSource("Kept", analogy)
-update(analogy)
-kept_bounds = bounds(analogy)
-state = os.path.join(sys.argv[2], "TestNormalAnalogyFilterProxy.pvsm")
-SaveState(state)
-ResetSession()
-LoadState(state)
-kept = FindSource("Kept")
-update(kept)
+kept = check_state(analogy, os.path.join(sys.argv[2], "TestNormalAnalogyFilterProxy.pvsm"))
 assert kept.Style == "Mesh" and kept.StyleMesh is not None
-assert bounds(kept) == kept_bounds, (bounds(kept), kept_bounds)

@@ -12,45 +12,11 @@ from paraview import servermanager
 from paraview.simple import *
 from paraview.modules.vtkRemotingViews import vtkSMParaViewPipelineControllerWithRendering
 
-import sphericalstyle  # gives the C++ object behind the proxy its methods
+from ProxyTesting import arrays, bounds, check_entries, check_state, make_long_sphere, update
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
-
-def update(proxy):
-    UpdatePipeline(proxy=proxy)
-    proxy.UpdatePipelineInformation()
-
-
-def bounds(proxy):
-    return proxy.GetDataInformation().GetBounds()
-
-
-def arrays(proxy):
-    data = servermanager.Fetch(proxy).GetPointData()
-    return {data.GetArrayName(k): data.GetArray(k).GetNumberOfComponents()
-            for k in range(data.GetNumberOfArrays())}
-
-
-def check_entries(proxy, names):
-    """Each entry of each enumeration reaches C++ and runs."""
-    for name in names:
-        in_cxx = getattr(proxy.SMProxy.GetClientSideObject(), "Get" + name)
-        entries = list(proxy.GetProperty(name).GetAvailable())
-        assert len(entries) > 1, (name, entries)
-        default = entries[in_cxx()]
-        for value, entry in enumerate(entries):
-            proxy.SetPropertyWithName(name, entry)
-            update(proxy)
-            assert in_cxx() == value, (name, entry, in_cxx())
-            assert all(map(math.isfinite, bounds(proxy))), (name, entry)
-        proxy.SetPropertyWithName(name, default)
-
-
-sphere = Sphere(ThetaResolution=32, PhiResolution=32)
-model = Calculator(Input=sphere, Function="coordsX*iHat + coordsY*jHat + 2*coordsZ*kHat",
-                   CoordinateResults=1)
-UpdatePipeline(proxy=model)
+model = make_long_sphere()
 n = model.GetDataInformation().GetNumberOfPoints()
 
 # ----------------------------------------------------------------- defaults, as the panel gets them
@@ -78,14 +44,5 @@ assert vtkSMParaViewPipelineControllerWithRendering().ShowInPreferredView(
     projection.SMProxy, 0, CreateRenderView().SMProxy) is not None
 
 # ------------------------------------------------------------------------------------------ state
-RenameSource("Kept", projection)
-update(projection)
-kept_bounds = bounds(projection)
-state = os.path.join(sys.argv[2], "TestSphereProjectionFilterProxy.pvsm")
-SaveState(state)
-ResetSession()
-LoadState(state)
-kept = FindSource("Kept")
-update(kept)
+kept = check_state(projection, os.path.join(sys.argv[2], "TestSphereProjectionFilterProxy.pvsm"))
 assert kept.RadiusMode == "Custom" and kept.Radius == 3.0
-assert bounds(kept) == kept_bounds, (bounds(kept), kept_bounds)
