@@ -5,6 +5,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkVersion.h"
 
@@ -44,6 +45,14 @@ void RequireTarget(double roundness, const double* center, const double* radius)
   Require(
     std::isfinite(roundness) && roundness >= 0.0, "Roundness", "finite and 0 or more", roundness);
   RequireSphere(center, radius);
+}
+
+void AddCount(vtkFieldData* data, const char* name, int count)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->InsertNextValue(count);
+  data->AddArray(array);
 }
 
 void AddStageSeconds(vtkFieldData* data, const std::vector<std::pair<const char*, double>>& stages)

@@ -27,6 +27,9 @@ void RequireSphere(const double* center, const double* radius);
 /// @param center, radius  nullptr when they are not @throw std::invalid_argument
 void RequireTarget(double roundness, const double* center, const double* radius);
 
+/// Adds an array of one number.
+void AddCount(vtkFieldData* data, const char* name, int count);
+
 /// Adds the array StageSeconds, one component per stage.
 void AddStageSeconds(vtkFieldData* data, const std::vector<std::pair<const char*, double>>& stages);
 

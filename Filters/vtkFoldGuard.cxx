@@ -6,6 +6,7 @@
 #include "SelfIntersections.h"
 #endif
 #include "Stopwatch.h"
+#include "vtkFilterSupport.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -98,10 +99,7 @@ void Fill(vtkTable* table, const Result& result)
   vtkFieldData* data = table->GetFieldData();
   AddBeforeAfter(data, "TurnedOver", guard.before.turnedOver, guard.after.turnedOver);
   AddBeforeAfter(data, "NewIntersectingPairs", guard.before.newPairs, guard.after.newPairs);
-  vtkNew<vtkIntArray> solves;
-  solves->SetName("GuardSolves");
-  solves->InsertNextValue(guard.solves);
-  data->AddArray(solves);
+  vtkFilterSupport::AddCount(data, "GuardSolves", guard.solves);
   vtkNew<vtkDoubleArray> seconds;
   seconds->SetName("GuardSeconds");
   seconds->InsertNextValue(result.Seconds);

@@ -13,17 +13,6 @@
 
 namespace vtkStyleHistory
 {
-namespace
-{
-void AddCount(vtkFieldData* data, const char* name, int count)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  array->InsertNextValue(count);
-  data->AddArray(array);
-}
-}
-
 void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char* secondTerm)
 {
   using Row = SphericalStyle::HistoryRow;
@@ -69,11 +58,11 @@ void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char
       sphere.center.x(), sphere.center.y(), sphere.center.z(), sphere.radius);
   }
   table->GetFieldData()->AddArray(spheres);
-  AddCount(table->GetFieldData(), "NumberOfStitches", report.stitches);
+  vtkFilterSupport::AddCount(table->GetFieldData(), "NumberOfStitches", report.stitches);
   if (report.edgeFlips >= 0)
   {
-    AddCount(table->GetFieldData(), "EdgeFlips", report.edgeFlips);
-    AddCount(table->GetFieldData(), "NegativeEdges", report.negativeEdges);
+    vtkFilterSupport::AddCount(table->GetFieldData(), "EdgeFlips", report.edgeFlips);
+    vtkFilterSupport::AddCount(table->GetFieldData(), "NegativeEdges", report.negativeEdges);
   }
 }
 
