@@ -23,6 +23,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTestUtilities.h"
+#include "vtkTriangle.h"
+#include "vtkTriangleFilter.h"
 #include "vtkVariant.h"
 #include "vtkXMLPolyDataReader.h"
 
@@ -501,6 +503,50 @@ inline Vector MeanPoint(vtkPolyData* surface, vtkIdType first, vtkIdType last)
     }
   }
   return mean;
+}
+
+/// A third of the area of each triangle to each of its corners.
+inline std::vector<double> PointAreas(vtkPolyData* surface)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  std::vector<double> areas(surface->GetNumberOfPoints(), 0.0);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType f = 0; f < triangles->GetOutput()->GetNumberOfCells(); ++f)
+  {
+    triangles->GetOutput()->GetCellPoints(f, corners);
+    double x[3][3];
+    for (int k = 0; k < 3; ++k)
+    {
+      surface->GetPoint(corners->GetId(k), x[k]);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      areas[corners->GetId(k)] += vtkTriangle::TriangleArea(x[0], x[1], x[2]) / 3.0;
+    }
+  }
+  return areas;
+}
+
+/// The mean move of the points, weighted by areas.
+inline double MoveOfCentroid(
+  vtkPolyData* input, vtkPolyData* output, const std::vector<vtkIdType>& points)
+{
+  const std::vector<double> areas = PointAreas(input);
+  Vector move = { 0.0, 0.0, 0.0 };
+  double sum = 0.0;
+  for (const vtkIdType i : points)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      move[k] += areas[i] * (PointOf(output, i)[k] - PointOf(input, i)[k]);
+    }
+    sum += areas[i];
+  }
+  return Distance(move, { 0.0, 0.0, 0.0 }) / sum;
 }
 
 /// Standard deviation over mean of the distances from the mean point: 0 on a sphere.
