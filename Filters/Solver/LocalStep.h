@@ -20,9 +20,13 @@ Eigen::Matrix3d ClosestRotationSVD(const Eigen::Matrix3d& S);
 /// orthonormal to 1e-10.
 Eigen::Matrix3d ClosestRotation(const Eigen::Matrix3d& S);
 
-/// Replaces R by the closest rotations of S (n each).
+/// Replaces R by the closest rotations of S (n each). The closed form is worked out for eight cells
+/// at a time; what it does not reach goes through ClosestRotation.
 /// @return the change of the energy, -2 sum tr((R_new - R_old) S), length^2, <= 0
 double FitRotations(const Matrices& S, Matrices& R, int threads);
+
+/// The same for count matrices of nine numbers each, column-major, on this thread.
+double FitRotations(const double* S, int count, Eigen::Matrix3d* R);
 } // namespace SphericalStyle
 
 #endif

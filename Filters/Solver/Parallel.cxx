@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <thread>
-#include <vector>
 
 namespace SphericalStyle
 {
@@ -44,23 +43,20 @@ void ParallelFor(int n, int threads, const std::function<void(int, int)>& body)
   RunShares(n, NumberOfShares(n, threads), body);
 }
 
-double ParallelSum(int n, int threads, const std::function<double(int, int)>& body)
+int NumberOfBlocks(int n)
 {
-  const int blocks = (n + SumBlock - 1) / SumBlock;
-  std::vector<double> partial(blocks, 0.0);
-  RunShares(blocks, NumberOfShares(n, threads),
+  return (n + SumBlock - 1) / SumBlock;
+}
+
+void ParallelBlocks(int n, int threads, const std::function<void(int, int, int)>& body)
+{
+  RunShares(NumberOfBlocks(n), NumberOfShares(n, threads),
     [&](int first, int last)
     {
       for (int b = first; b < last; ++b)
       {
-        partial[b] = body(b * SumBlock, std::min(n, (b + 1) * SumBlock));
+        body(b, b * SumBlock, std::min(n, (b + 1) * SumBlock));
       }
     });
-  double sum = 0.0;
-  for (const double value : partial)
-  {
-    sum += value;
-  }
-  return sum;
 }
 } // namespace SphericalStyle

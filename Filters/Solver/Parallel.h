@@ -6,15 +6,38 @@
 #ifndef SphericalStyle_Parallel_h
 #define SphericalStyle_Parallel_h
 
+#include <algorithm>
 #include <functional>
+#include <vector>
 
 namespace SphericalStyle
 {
 /// Calls body(begin, end) on disjoint ranges that cover 0..n. body must not throw.
 void ParallelFor(int n, int threads, const std::function<void(int, int)>& body);
 
-/// Sum of body(begin, end) over blocks of fixed size, added in order.
-double ParallelSum(int n, int threads, const std::function<double(int, int)>& body);
+/// Calls body(block, begin, end) for blocks of fixed size that cover 0..n.
+void ParallelBlocks(int n, int threads, const std::function<void(int, int, int)>& body);
+int NumberOfBlocks(int n);
+
+/// Sum of body(begin, end) over blocks of fixed size, added to start in order.
+template <typename Sum, typename Body>
+Sum ParallelSum(int n, int threads, Sum start, const Body& body)
+{
+  std::vector<Sum> partial(NumberOfBlocks(n), start);
+  ParallelBlocks(
+    n, threads, [&](int block, int begin, int end) { partial[block] = body(begin, end); });
+  for (const Sum& value : partial)
+  {
+    start += value;
+  }
+  return start;
+}
+
+template <typename Body>
+double ParallelSum(int n, int threads, const Body& body)
+{
+  return ParallelSum(n, threads, 0.0, body);
+}
 } // namespace SphericalStyle
 
 #endif

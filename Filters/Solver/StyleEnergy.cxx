@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StyleEnergy.h"
 
+#include "LocalStep.h"
 #include "Parallel.h"
+#include "Vector4.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace SphericalStyle
@@ -48,63 +51,144 @@ StyleEnergy::StyleEnergy(const MeshTopology& topology, EdgeWeights weights, Half
   , FixedTargets(std::move(f))
   , Threads(threads)
 {
-  const Eigen::Index m = this->Edges.rows();
-  this->Pull.resize(m, 9);
-  this->FixedCovariances.resize(this->HasFixedTargets() ? m : 0);
-  for (Eigen::Index t = 0; t < m; ++t)
+  const int m = static_cast<int>(this->Edges.rows());
+  this->Scale = ParallelSum(m, this->Threads,
+    [this](int begin, int end)
+    {
+      double sum = 0.0;
+      for (int t = begin; t < end; ++t)
+      {
+        const auto sizes = [t](const HalfEdgeVectors& x)
+        { return TriangleColumns(x, t).colwise().squaredNorm(); };
+        sum += this->Weights.c.row(t).cwiseAbs().dot(sizes(this->Edges));
+        sum += this->Weights.l.row(t).cwiseAbs().dot(sizes(this->TurningTargets));
+        if (this->HasFixedTargets())
+        {
+          sum += this->Weights.l.row(t).cwiseAbs().dot(sizes(this->FixedTargets));
+        }
+      }
+      return 3.0 * sum;
+    });
+}
+
+void StyleEnergy::PrepareSteps(const CellPattern& pattern)
+{
+  const int m = static_cast<int>(this->Edges.rows());
+  HalfEdgeVectors pull(m, 9);
+  ParallelFor(m, this->Threads,
+    [&](int begin, int end)
+    {
+      for (int t = begin; t < end; ++t)
+      {
+        Eigen::Map<Eigen::Matrix3d>(pull.row(t).data()) =
+          TriangleColumns(this->Edges, t) * this->Weights.c.row(t).asDiagonal() +
+          TriangleColumns(this->TurningTargets, t) * this->Weights.l.row(t).asDiagonal();
+      }
+    });
+  this->Pulls = CellPulls(pattern, *this->Topology, pull, this->Threads);
+  if (!this->HasFixedTargets())
   {
+    return;
+  }
+  const int n = this->Topology->GetNumberOfPoints();
+  this->FixedCovariances.resize(9 * static_cast<std::size_t>(n));
+  this->FixedPulls.resize(n, 3);
+  ParallelFor(n, this->Threads,
+    [this](int begin, int end)
+    {
+      for (int y = begin; y < end; ++y)
+      {
+        Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d fixed = Eigen::Vector3d::Zero();
+        for (int at = this->Topology->GetCornerOffset()[y];
+             at < this->Topology->GetCornerOffset()[y + 1]; ++at)
+        {
+          const int t = this->Topology->GetCorners()[at] / 3;
+          const int k = this->Topology->GetCorners()[at] % 3;
+          const Eigen::Matrix3d weighted =
+            TriangleColumns(this->FixedTargets, t) * this->Weights.l.row(t).asDiagonal();
+          covariance += TriangleColumns(this->TurningTargets, t) * weighted.transpose();
+          // Corner k starts half-edge k + 2 and ends half-edge k + 1.
+          fixed += 3.0 * (weighted.col((k + 2) % 3) - weighted.col((k + 1) % 3));
+        }
+        Eigen::Map<Eigen::Matrix3d>(&this->FixedCovariances[9 * static_cast<std::size_t>(y)]) =
+          covariance;
+        this->FixedPulls.row(y) = fixed;
+      }
+    });
+}
+
+namespace
+{
+/// What SumResiduals reads, by triangle where nothing else is said.
+struct ResidualArrays
+{
+  const int* F;
+  const double* Q;     // by point
+  const double* R;     // by point
+  const double* e;     // nine each
+  const double* delta; // nine each
+  const double* f;     // nine each, or nullptr
+  const double* c;     // three each
+  const double* l;     // three each
+  int lastPoint;       // nothing follows it in Q
+};
+
+SPHERICALSTYLE_INLINE Vector4 LoadPoint(const ResidualArrays& a, int i)
+{
+  const double* q = a.Q + 3 * static_cast<std::ptrdiff_t>(i);
+  return i == a.lastPoint ? Load3(q) : Load4(q);
+}
+
+SPHERICALSTYLE_PER_INSTRUCTION_SET
+void SumResiduals(const ResidualArrays& a, int begin, int end, EnergyTerms& energy)
+{
+  Vector4 rigid = {};
+  Vector4 spherical = {};
+  for (int t = begin; t < end; ++t)
+  {
+    const int* corner = a.F + 3 * static_cast<std::ptrdiff_t>(t);
+    const Vector4 q[3] = { LoadPoint(a, corner[0]), LoadPoint(a, corner[1]),
+      LoadPoint(a, corner[2]) };
+    const Columns4 R[3] = { LoadColumns(a.R + 9 * static_cast<std::ptrdiff_t>(corner[0])),
+      LoadColumns(a.R + 9 * static_cast<std::ptrdiff_t>(corner[1])),
+      LoadColumns(a.R + 9 * static_cast<std::ptrdiff_t>(corner[2])) };
     for (int k = 0; k < 3; ++k)
     {
-      const double c = this->Weights.c(t, k);
-      const double l = this->Weights.l(t, k);
-      const auto edge = this->Edges.block<1, 3>(t, 3 * k);
-      const auto delta_h = this->TurningTargets.block<1, 3>(t, 3 * k);
-      this->Pull.block<1, 3>(t, 3 * k) = c * edge + l * delta_h;
-      this->Scale += 3.0 * (std::abs(c) * edge.squaredNorm() + std::abs(l) * delta_h.squaredNorm());
-      if (this->HasFixedTargets())
+      const auto at = 9 * static_cast<std::ptrdiff_t>(t) + 3 * k;
+      const Vector4 edge = q[(k + 1) % 3] - q[(k + 2) % 3];
+      const Vector4 base = a.f ? edge - Load3(a.f + at) : edge;
+      Vector4 rigidSquares = {};
+      Vector4 sphericalSquares = {};
+      for (int y = 0; y < 3; ++y)
       {
-        this->Scale += 3.0 * std::abs(l) * this->FixedTargets.block<1, 3>(t, 3 * k).squaredNorm();
+        const Vector4 u = edge - R[y] * (a.e + at);
+        const Vector4 v = base - R[y] * (a.delta + at);
+        rigidSquares += u * u;
+        sphericalSquares += v * v;
       }
-    }
-    if (this->HasFixedTargets())
-    {
-      this->FixedCovariances[t] = TriangleColumns(this->TurningTargets, t) *
-        this->Weights.l.row(t).asDiagonal() * TriangleColumns(this->FixedTargets, t).transpose();
+      rigid += a.c[3 * static_cast<std::ptrdiff_t>(t) + k] * rigidSquares;
+      spherical += a.l[3 * static_cast<std::ptrdiff_t>(t) + k] * sphericalSquares;
     }
   }
-  this->TriangleCovariances.resize(m);
-  this->CornerPulls.resize(m, 9);
+  energy.rigid = rigid[0] + rigid[1] + rigid[2];
+  energy.spherical = spherical[0] + spherical[1] + spherical[2];
+}
 }
 
 EnergyTerms StyleEnergy::Evaluate(const Points& Q, const Matrices& R) const
 {
   const Triangles& F = this->Topology->GetTriangles();
-  const int m = static_cast<int>(F.rows());
-  const auto term =
-    [&](const HalfEdgeVectors& turning, const HalfEdgeVectors& fixed, const HalfEdgeScalars& weight)
-  {
-    return ParallelSum(m, this->Threads,
-      [&](int begin, int end)
-      {
-        double sum = 0.0;
-        for (int f = begin; f < end; ++f)
-        {
-          Eigen::Matrix3d E = DeformedEdges(Q, F, f);
-          if (fixed.rows() > 0)
-          {
-            E -= TriangleColumns(fixed, f);
-          }
-          const Columns T = TriangleColumns(turning, f);
-          for (int y = 0; y < 3; ++y)
-          {
-            sum += Misfit(E, R[F(f, y)], T, weight.row(f));
-          }
-        }
-        return sum;
-      });
-  };
-  return { term(this->Edges, HalfEdgeVectors(), this->Weights.c),
-    term(this->TurningTargets, this->FixedTargets, this->Weights.l) };
+  const ResidualArrays arrays = { F.data(), Q.data(), R.data()->data(), this->Edges.data(),
+    this->TurningTargets.data(), this->HasFixedTargets() ? this->FixedTargets.data() : nullptr,
+    this->Weights.c.data(), this->Weights.l.data(), static_cast<int>(Q.rows()) - 1 };
+  return ParallelSum(static_cast<int>(F.rows()), this->Threads, EnergyTerms(),
+    [&](int begin, int end)
+    {
+      EnergyTerms energy;
+      SumResiduals(arrays, begin, end, energy);
+      return energy;
+    });
 }
 
 Eigen::VectorXd StyleEnergy::CellEnergies(const Points& Q, const Matrices& R) const
@@ -130,78 +214,65 @@ Eigen::VectorXd StyleEnergy::CellEnergies(const Points& Q, const Matrices& R) co
   return energy;
 }
 
-void StyleEnergy::Covariances(const Points& Q, Matrices& S)
+void StyleEnergy::Covariances(const Points& Q, int begin, int end, double* S) const
 {
-  const Triangles& F = this->Topology->GetTriangles();
-  ParallelFor(static_cast<int>(F.rows()), this->Threads,
-    [&](int begin, int end)
+  this->Pulls.Covariances(Q, begin, end, S);
+  if (this->HasFixedTargets())
+  {
+    const double* fixed = &this->FixedCovariances[9 * static_cast<std::size_t>(begin)];
+    for (std::ptrdiff_t k = 0; k < 9 * static_cast<std::ptrdiff_t>(end - begin); ++k)
     {
-      for (int f = begin; f < end; ++f)
-      {
-        this->TriangleCovariances[f] =
-          TriangleColumns(this->Pull, f) * DeformedEdges(Q, F, f).transpose();
-        if (this->HasFixedTargets())
-        {
-          this->TriangleCovariances[f] -= this->FixedCovariances[f];
-        }
-      }
-    });
+      S[k] -= fixed[k];
+    }
+  }
+}
+
+namespace
+{
+constexpr int Batch = 64; // covariances that stay in the cache until their rotations are found
+using BatchOfCovariances = std::array<double, 9 * Batch + 1>;
+}
+
+void StyleEnergy::Covariances(const Points& Q, Matrices& S) const
+{
   S.resize(Q.rows());
-  const std::vector<int>& offset = this->Topology->GetCornerOffset();
-  const std::vector<int>& corners = this->Topology->GetCorners();
   ParallelFor(static_cast<int>(Q.rows()), this->Threads,
     [&](int begin, int end)
     {
-      for (int i = begin; i < end; ++i)
+      BatchOfCovariances batch;
+      for (int first = begin; first < end; first += Batch)
       {
-        S[i].setZero();
-        for (int at = offset[i]; at < offset[i + 1]; ++at)
-        {
-          S[i] += this->TriangleCovariances[corners[at] / 3];
-        }
+        const int last = std::min(first + Batch, end);
+        this->Covariances(Q, first, last, batch.data());
+        std::copy_n(
+          batch.data(), 9 * static_cast<std::ptrdiff_t>(last - first), S[first].data());
       }
     });
 }
 
-void StyleEnergy::RightHandSide(const Matrices& R, Points& b)
+double StyleEnergy::FitRotations(const Points& Q, Matrices& R) const
 {
-  const Triangles& F = this->Topology->GetTriangles();
-  ParallelFor(static_cast<int>(F.rows()), this->Threads,
+  return ParallelSum(static_cast<int>(Q.rows()), this->Threads,
     [&](int begin, int end)
     {
-      for (int f = begin; f < end; ++f)
+      BatchOfCovariances batch;
+      double change = 0.0;
+      for (int first = begin; first < end; first += Batch)
       {
-        Eigen::Matrix3d pull =
-          (R[F(f, 0)] + R[F(f, 1)] + R[F(f, 2)]) * TriangleColumns(this->Pull, f);
-        if (this->HasFixedTargets())
-        {
-          pull +=
-            3.0 * TriangleColumns(this->FixedTargets, f) * this->Weights.l.row(f).asDiagonal();
-        }
-        // Corner k starts half-edge k + 2 and ends half-edge k + 1.
-        Eigen::Map<Eigen::Matrix3d> corner(this->CornerPulls.row(f).data());
-        for (int k = 0; k < 3; ++k)
-        {
-          corner.col(k) = pull.col((k + 2) % 3) - pull.col((k + 1) % 3);
-        }
+        const int last = std::min(first + Batch, end);
+        this->Covariances(Q, first, last, batch.data());
+        change += SphericalStyle::FitRotations(batch.data(), last - first, &R[first]);
       }
+      return change;
     });
-  b.resize(static_cast<Eigen::Index>(R.size()), 3);
-  const std::vector<int>& offset = this->Topology->GetCornerOffset();
-  const std::vector<int>& corners = this->Topology->GetCorners();
-  ParallelFor(static_cast<int>(R.size()), this->Threads,
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-        for (int at = offset[i]; at < offset[i + 1]; ++at)
-        {
-          sum += Eigen::Map<const Eigen::RowVector3d>(
-            this->CornerPulls.data() + 3 * static_cast<std::ptrdiff_t>(corners[at]));
-        }
-        b.row(i) = sum;
-      }
-    });
+}
+
+void StyleEnergy::RightHandSide(const Matrices& R, Points& b) const
+{
+  this->Pulls.RightHandSide(R, b, this->Threads);
+  if (this->HasFixedTargets())
+  {
+    b += this->FixedPulls;
+  }
 }
 } // namespace SphericalStyle

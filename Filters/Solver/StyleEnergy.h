@@ -11,8 +11,8 @@
 #ifndef SphericalStyle_StyleEnergy_h
 #define SphericalStyle_StyleEnergy_h
 
+#include "CellPulls.h"
 #include "EdgeWeights.h"
-#include "MeshTopology.h"
 
 namespace SphericalStyle
 {
@@ -22,6 +22,12 @@ struct EnergyTerms
   double rigid = 0.0;
   double spherical = 0.0;
   double Total() const { return this->rigid + this->spherical; }
+  EnergyTerms& operator+=(const EnergyTerms& other)
+  {
+    this->rigid += other.rigid;
+    this->spherical += other.spherical;
+    return *this;
+  }
 };
 
 class StyleEnergy
@@ -42,14 +48,20 @@ public:
   EnergyTerms Evaluate(const Points& Q, const Matrices& R) const;
   /// The share of each cell (point) in E(Q, R), n values that sum to it.
   Eigen::VectorXd CellEnergies(const Points& Q, const Matrices& R) const;
+  /// Makes the three steps below ready; to be called before any of them.
+  /// @param pattern  that of the topology; kept by reference, must outlive this
+  void PrepareSteps(const CellPattern& pattern);
   /// S_y = sum_{f at y} sum_{h in f} (c e + l delta) e'^T - l delta f^T (Eq. 4.13) [local].
-  void Covariances(const Points& Q, Matrices& S);
+  void Covariances(const Points& Q, Matrices& S) const;
+  /// R_y := the rotation closest to S_y, without storing S. @return the change of E, <= 0
+  double FitRotations(const Points& Q, Matrices& R) const;
   /// Row u: sum over half-edges uv of (R_a + R_b + R_c)(c e + l delta) + 3 l f (Eq. 4.26) [global].
-  void RightHandSide(const Matrices& R, Points& b);
+  void RightHandSide(const Matrices& R, Points& b) const;
   /// A scale to hold energies against: sum 3 (c |e|^2 + l |delta + f|^2), signs dropped.
   double GetScale() const { return this->Scale; }
 
 private:
+  void Covariances(const Points& Q, int begin, int end, double* S) const;
   bool HasFixedTargets() const { return this->FixedTargets.rows() > 0; }
 
   const MeshTopology* Topology = nullptr;
@@ -57,13 +69,12 @@ private:
   HalfEdgeVectors Edges;          // e
   HalfEdgeVectors TurningTargets; // delta
   HalfEdgeVectors FixedTargets;   // f
-  HalfEdgeVectors Pull;           // g = c e + l delta
-  Matrices FixedCovariances;      // per triangle: sum_h l delta f^T, empty without fixed targets
+  CellPulls Pulls;                // of g = c e + l delta
+  // With fixed targets, per point: sum_{f at y} sum_h l delta f^T, and what 3 l f adds to b.
+  std::vector<double> FixedCovariances; // 9 n
+  Points FixedPulls;
   double Scale = 0.0;
   int Threads = 1;
-  // Work space: per triangle and per corner, gathered by point.
-  Matrices TriangleCovariances;
-  HalfEdgeVectors CornerPulls;
 };
 } // namespace SphericalStyle
 

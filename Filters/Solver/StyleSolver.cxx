@@ -3,7 +3,6 @@
 #include "StyleSolver.h"
 
 #include "BaseSurface.h"
-#include "LocalStep.h"
 #include "SolverMesh.h"
 #include "Stopwatch.h"
 #include "SurfaceMeasures.h"
@@ -106,10 +105,12 @@ public:
 
   double FitLocal(const Points& Q) override
   {
+    if (!this->Term)
+    {
+      return this->Energy.FitRotations(Q, this->R);
+    }
     this->Energy.Covariances(Q, this->S);
-    const int threads = this->Energy.GetThreads();
-    return this->Term ? this->Term->Fit(this->S, this->R, threads)
-                      : FitRotations(this->S, this->R, threads);
+    return this->Term->Fit(this->S, this->R, this->Energy.GetThreads());
   }
 
   void SolveGlobal(Points& Q) override
@@ -179,6 +180,7 @@ public:
   EnergyTriangleOptions Shape;
   EnergyTriangles Reshaped; // empty where the energy keeps the surface's
   HalfEdgeVectors Edges;
+  CellPattern Cells;
   Points RestMeans;
   // Depends on detail size too.
   double BaseSize = -1.0;
@@ -215,6 +217,7 @@ public:
   void UpdateGlobal(const std::vector<int>& fixedPoints);
   bool IsClosedForm(const StyleOptions& options, const StyleReport& report) const;
   void BuildEnergy(const StyleOptions& options, StyleReport& report);
+  void PrepareSteps(StyleReport& report);
   void FactorGlobal(StyleReport& report);
   void StartFromRest(const StyleOptions& options);
   void StartFromBlend(double radius);
@@ -274,6 +277,10 @@ void StyleSolver::State::UpdateTriangles(const EnergyTriangleOptions& options)
     replaced |= UpdateEnergyTriangles(this->P, this->Surface, options, this->Reshaped);
   }
   this->HasGlobal &= !replaced;
+  if (replaced)
+  {
+    this->Cells = {};
+  }
   this->Edges = HalfEdgeDifferences(this->P, this->SummedTriangles());
   this->RestMeans = this->Summed().Topology.ComponentMeans(this->P, this->Areas);
   this->BaseSize = -1.0;
@@ -455,6 +462,18 @@ void StyleSolver::State::BuildEnergy(const StyleOptions& options, StyleReport& r
   report.seconds.weights = watch.Seconds();
 }
 
+/// What the steps need beyond the energy itself.
+void StyleSolver::State::PrepareSteps(StyleReport& report)
+{
+  const Stopwatch watch;
+  if (this->Cells.GetNumberOfPoints() == 0)
+  {
+    this->Cells = CellPattern(this->Summed().Topology);
+  }
+  this->Energy.PrepareSteps(this->Cells);
+  report.seconds.weights += watch.Seconds();
+}
+
 void StyleSolver::State::FactorGlobal(StyleReport& report)
 {
   const EdgeWeights& w = this->Energy.GetWeights();
@@ -538,6 +557,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   }
   else
   {
+    s.PrepareSteps(report);
     s.FactorGlobal(report);
   }
   const Stopwatch iterate;

@@ -122,6 +122,8 @@ void TestSteps()
   const EdgeWeights weights = ComputeEdgeWeights(RandomCotangents(m, random), F,
     Eigen::VectorXd::Constant(n, 0.7), EdgeWeighting::HalfEdge, SphericalWeighting::Uniform);
   StyleEnergy energy(topology, weights, HalfEdgeDifferences(P, F), edges(), edges(), 1);
+  const CellPattern pattern(topology);
+  energy.PrepareSteps(pattern);
   const Points Q = RandomPoints(n, random);
   Matrices R(n), S;
   for (Matrix3d& rotation : R)

@@ -158,6 +158,8 @@ void TestGradient()
         const int n = P.rows();
         const MeshTopology topology(F, n);
         StyleEnergy energy = RandomEnergy(topology, P, random, edges, spherical);
+        const CellPattern pattern(topology);
+        energy.PrepareSteps(pattern);
         const Matrices R = RandomRotations(n, random);
         Points b;
         energy.RightHandSide(R, b);
@@ -226,6 +228,8 @@ void TestCovariances()
     const MeshTopology topology(named.mesh.F, n);
     StyleEnergy energy = RandomEnergy(
       topology, named.mesh.P, random, EdgeWeighting::HalfEdge, SphericalWeighting::Uniform);
+    const CellPattern pattern(topology);
+    energy.PrepareSteps(pattern);
     const Points Q = named.mesh.P + 0.2 * RandomPoints(n, random);
     const Matrices R = RandomRotations(n, random), other = RandomRotations(n, random);
     Matrices S;
@@ -590,6 +594,8 @@ void TestThreads()
     Meshes::Random random(14);
     StyleEnergy energy = RandomEnergy(
       topology, mesh.P, random, EdgeWeighting::HalfEdge, SphericalWeighting::Uniform, threads);
+    const CellPattern pattern(topology);
+    energy.PrepareSteps(pattern);
     const Matrices R = RandomRotations(n, random);
     const Points Q = RandomPoints(n, random);
     Points b;

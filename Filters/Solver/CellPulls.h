@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The two sums over cells that every iteration needs, each read once from end to end.
+#ifndef SphericalStyle_CellPulls_h
+#define SphericalStyle_CellPulls_h
+
+#include "MeshTopology.h"
+
+namespace SphericalStyle
+{
+/// Who shares a triangle with whom: for every point the others of its triangles, ascending.
+class CellPattern
+{
+public:
+  CellPattern() = default;
+  explicit CellPattern(const MeshTopology& topology);
+
+  int GetNumberOfPoints() const { return static_cast<int>(this->Offset.size()) - 1; }
+  /// Those of point i: GetNeighbors()[GetOffset()[i] .. [i + 1]).
+  const std::vector<int>& GetOffset() const { return this->Offset; }
+  const std::vector<int>& GetNeighbors() const { return this->Neighbors; }
+
+private:
+  std::vector<int> Offset = { 0 };
+  std::vector<int> Neighbors;
+};
+
+/// The pulls g_h = c_h e_h + l_h delta_h of [energy], added up. With d_k the pull of the half-edge
+/// that starts at corner k of a triangle less that of the one that ends there, and
+///
+///     w_yj = sum over the triangles at y and j of d at j,
+///
+/// both steps are sums over neighbours:
+///
+///     [local]   sum_{f at y} sum_{h in f} g_h e'_h^T = sum_j w_yj (q_j - q_y)^T     (Eq. 4.13)
+///     [global]  b_j = sum_y R_y w_yj                                               (Eq. 4.26)
+///
+/// because e'_h = q_u - q_v, and sum_j w_yj = 0. Nothing is allocated after construction; results
+/// have the same bits for any number of threads.
+class CellPulls
+{
+public:
+  CellPulls() = default;
+  /// @param pattern  that of the topology; kept by reference, must outlive this
+  /// @param pull  g, m x 9, length
+  CellPulls(const CellPattern& pattern, const MeshTopology& topology, const HalfEdgeVectors& pull,
+    int threads);
+
+  bool IsEmpty() const { return this->Own.rows() == 0; }
+
+  /// S_y of the points begin..end-1. @param Q  n x 3 @param S  9 numbers for each, column-major,
+  /// and room for one more
+  void Covariances(const Points& Q, int begin, int end, double* S) const;
+  /// b of all points, n x 3, replaced.
+  void RightHandSide(const Matrices& R, Points& b, int threads) const;
+
+private:
+  const CellPattern* Pattern = nullptr;
+  // Three numbers per neighbour j of y, and one more number at the end.
+  std::vector<double> OfCell;  // w_yj: what the cell of y asks of j
+  std::vector<double> OfPoint; // w_jy: what the cell of j asks of y
+  Points Own;                  // w_yy
+};
+} // namespace SphericalStyle
+
+#endif
