@@ -20,12 +20,14 @@ namespace
 {
 double WorstTrace = 0.0;
 double WorstOrthonormal = 0.0;
+Matrices Checked; // every S that was looked at, for TestEightAtATime
 
 // Everything that holds for any S. Traces are compared relative to |S|: tr(R S) itself may vanish
 // by cancellation.
 void CheckRotation(const Matrix3d& S, const std::string& what, Meshes::Random& random)
 {
   const Matrix3d R = ClosestRotation(S), expected = ClosestRotationSVD(S);
+  Checked.push_back(S);
   for (const Matrix3d& rotation : { R, expected })
   {
     CHECK(rotation.allFinite(), what << ": the rotation should be finite; S =\n" << S);
@@ -102,6 +104,30 @@ void TestClosestRotation()
   CheckRotation(Vector3d(1, 1, -1).asDiagonal().toDenseMatrix(), "a mirror", random);
   CheckRotation(Vector3d(1, 0, 0).asDiagonal().toDenseMatrix(), "one axis", random);
   CheckRotation(Matrix3d::Ones(), "all ones", random);
+}
+
+// Every S so far, next to others of all kinds, through the form that works on eight at a time.
+void TestEightAtATime()
+{
+  Checked.push_back(Matrix3d::Constant(std::nan("")));
+  Matrices R(Checked.size(), Matrix3d::Identity());
+  FitRotations(Checked, R, 1);
+  CHECK(R.back() == Matrix3d::Identity(), "S that is not a number should give the identity");
+  for (std::size_t i = 0; i + 1 < R.size(); ++i)
+  {
+    const double largest = Checked[i].cwiseAbs().maxCoeff();
+    const Matrix3d unit = Checked[i] / (largest > 0.0 ? largest : 1.0);
+    const double error = ((ClosestRotationSVD(Checked[i]) - R[i]) * unit).trace();
+    CHECK(std::abs(error) <= 1e-12 * unit.norm(),
+      "matrix " << i << ": tr(R S) differs from that of the SVD by " << error << "; S =\n"
+                << Checked[i]);
+    const double defect = (R[i].transpose() * R[i] - Matrix3d::Identity()).norm();
+    CHECK(defect <= 1e-12, "matrix " << i << ": R^T R differs from I by " << defect);
+    CHECK(R[i].determinant() > 0.0, "matrix " << i << ": R should be no reflection");
+    Matrix3d alone = Matrix3d::Identity();
+    FitRotations(Checked[i].data(), 1, &alone);
+    CHECK(alone == R[i], "matrix " << i << ": its neighbours should not matter");
+  }
 }
 
 // S of points turned by a rotation gives this rotation back.
@@ -194,6 +220,7 @@ void TestFitRotations()
 int main()
 {
   TestClosestRotation();
+  TestEightAtATime();
   TestRotationsRecovered();
   TestFitRotations();
   std::cout << "largest difference of tr(R S) / |S| from the SVD " << WorstTrace
