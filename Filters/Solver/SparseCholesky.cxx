@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SparseCholesky.h"
 
+#include "SupernodalFactor.h"
 #include "TriangleMesh.h"
 
 #include <Eigen/SparseCholesky>
 
-#include <algorithm>
+#include <vector>
 
 #ifdef SPHERICALSTYLE_WITH_CHOLMOD
 #include <cholmod.h>
@@ -113,9 +114,6 @@ public:
   }
   ~CholmodImplementation() override
   {
-    cholmod_free_dense(&this->X, &this->Common);
-    cholmod_free_dense(&this->Y, &this->Common);
-    cholmod_free_dense(&this->E, &this->Common);
     cholmod_free_factor(&this->Cholesky, &this->Common);
     cholmod_finish(&this->Common);
   }
@@ -165,31 +163,18 @@ public:
       this->Indefinite->Solve(B);
       return;
     }
-    const SingleThreadedBlas scope;
-    cholmod_dense view = {};
-    view.nrow = static_cast<std::size_t>(B.rows());
-    view.ncol = 3;
-    view.nzmax = view.nrow * view.ncol;
-    view.d = view.nrow;
-    view.x = B.data();
-    view.xtype = CHOLMOD_REAL;
-    view.dtype = CHOLMOD_DOUBLE;
-    if (!cholmod_solve2(CHOLMOD_A, this->Cholesky, &view, nullptr, &this->X, nullptr, &this->Y,
-          &this->E, &this->Common))
-    {
-      throw SolverError("not enough memory to solve the system");
-    }
-    const auto* x = static_cast<const double*>(this->X->x);
-    std::copy(x, x + B.size(), B.data());
+    const cholmod_factor& L = *this->Cholesky;
+    const auto ints = [](void* p) { return static_cast<const int*>(p); };
+    const SupernodalFactor factor = { static_cast<int>(L.n), static_cast<int>(L.nsuper),
+      ints(L.super), ints(L.pi), ints(L.s), ints(L.px), static_cast<const double*>(L.x),
+      ints(L.Perm) };
+    SolveSupernodal(factor, B, this->Work);
   }
 
 private:
-  // Solving changes only scratch memory.
-  mutable cholmod_common Common = {};
+  cholmod_common Common = {};
   cholmod_factor* Cholesky = nullptr;
-  mutable cholmod_dense* X = nullptr;
-  mutable cholmod_dense* Y = nullptr;
-  mutable cholmod_dense* E = nullptr;
+  mutable std::vector<double> Work; // of SolveSupernodal
   std::unique_ptr<EigenImplementation> Indefinite; // set when the matrix is not positive definite
 };
 #endif

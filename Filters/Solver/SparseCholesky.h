@@ -14,14 +14,15 @@ namespace SphericalStyle
 {
 /// Symmetric positive definite system A X = B for few right-hand sides.
 ///
-/// CHOLMOD's supernodal Cholesky where the build has SuiteSparse, Eigen's SimplicialLDLT otherwise.
+/// CHOLMOD's supernodal Cholesky where the build has SuiteSparse, with SolveSupernodal; Eigen's
+/// SimplicialLDLT otherwise.
 /// A matrix that is not positive definite (possible only with full-edge weights) is factored by
 /// LDLT, which needs no sign.
 class SparseCholesky
 {
 public:
   using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>; ///< lower triangle, compressed
-  using RightHandSides = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+  using RightHandSides = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
   enum class Backend
   {

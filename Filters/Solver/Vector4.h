@@ -25,9 +25,9 @@
 namespace SphericalStyle
 {
 /// Four doubles: a vector of three and what follows it in memory.
-using Vector4 = double __attribute__((vector_size(32)));
+using Vector4 = double __attribute__((vector_size(32), aligned(32)));
 /// Eight doubles: the same number of eight cells.
-using Vector8 = double __attribute__((vector_size(64)));
+using Vector8 = double __attribute__((vector_size(64), aligned(64)));
 
 /// p[0..3], which need not be aligned.
 SPHERICALSTYLE_INLINE Vector4 Load4(const double* p)

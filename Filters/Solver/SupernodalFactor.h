@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Solving with a supernodal Cholesky factor, three right-hand sides at once.
+#ifndef SphericalStyle_SupernodalFactor_h
+#define SphericalStyle_SupernodalFactor_h
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace SphericalStyle
+{
+/// P A P^T = L L^T with L in supernodes: neighbouring columns of one pattern, stored as a dense
+/// block. A view: nothing is owned.
+///
+/// Supernode s holds the columns firstColumn[s] .. firstColumn[s + 1] - 1. Its rows are
+/// rows[firstRow[s]] .. rows[firstRow[s + 1] - 1], ascending, the columns themselves first; its
+/// values start at values[firstValue[s]], column-major with one column per supernode column and as
+/// many rows. Above the diagonal they mean nothing.
+struct SupernodalFactor
+{
+  int numberOfColumns = 0;
+  int numberOfSupernodes = 0;
+  const int* firstColumn = nullptr;
+  const int* firstRow = nullptr;
+  const int* rows = nullptr;
+  const int* firstValue = nullptr;
+  const double* values = nullptr;
+  const int* permutation = nullptr; ///< row k of P A P^T is row permutation[k] of A
+};
+
+/// Replaces B by A^-1 B. The factor is read twice, from end to end, and that is what it costs.
+/// @param B  n x 3 @param work  scratch, kept between calls
+void SolveSupernodal(const SupernodalFactor& factor,
+  Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> B,
+  std::vector<double>& work);
+} // namespace SphericalStyle
+
+#endif
