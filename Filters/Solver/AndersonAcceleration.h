@@ -11,13 +11,14 @@
 
 namespace SphericalStyle
 {
+/// Keeps 36 bytes per point for each step of the window; what it mixes is a proposal.
 class AndersonAcceleration
 {
 public:
-  explicit AndersonAcceleration(int window)
-    : Window(window)
-  {
-  }
+  /// @param window  1..LargestWindow: residuals looked at
+  AndersonAcceleration(int window, int threads);
+
+  static constexpr int LargestWindow = 8;
 
   /// @param x  current point @param g  the map's image of x
   /// @param mixed  the combination of the last images whose residual is smallest
@@ -27,12 +28,24 @@ public:
   void Reset();
 
 private:
+  /// The changes from one call to the next. Those of the residual decide on the mixture only, for
+  /// which single precision is enough; what is mixed stays as exact as it is.
+  struct Step
+  {
+    std::vector<float> residual;
+    std::vector<double> image;
+  };
+  Step& NextStep();
+  void AddStep(const Points& x, const Points& g);
+
   int Window;
+  int Threads;
   bool HasLast = false;
   Points LastResidual;
   Points LastImage;
-  std::vector<Points> ResidualSteps; // newest last
-  std::vector<Points> ImageSteps;
+  std::vector<Step> Steps; // oldest first
+  Eigen::MatrixXd Gram;    // of the steps' residuals
+  Eigen::VectorXd Right;   // their products with the last residual
 };
 } // namespace SphericalStyle
 

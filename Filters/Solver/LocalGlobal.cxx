@@ -3,6 +3,7 @@
 #include "LocalGlobal.h"
 
 #include "AndersonAcceleration.h"
+#include "Parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,16 +17,25 @@ constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double ThesisTolerance = 0.001; // Eq. 3.46
 constexpr int AndersonWindow = 5;
 
-double LargestSquaredStep(const Points& a, const Points& b)
+/// Largest value of |a_i - b_i|^2.
+double LargestSquaredStep(const Points& a, const Points& b, int threads)
 {
-  return a.rows() > 0 ? (a - b).rowwise().squaredNorm().maxCoeff() : 0.0;
+  std::vector<double> largest(NumberOfBlocks(static_cast<int>(a.rows())), 0.0);
+  ParallelBlocks(static_cast<int>(a.rows()), threads,
+    [&](int block, int begin, int end)
+    {
+      const Eigen::Index size = end - begin;
+      largest[block] =
+        (a.middleRows(begin, size) - b.middleRows(begin, size)).rowwise().squaredNorm().maxCoeff();
+    });
+  return largest.empty() ? 0.0 : *std::max_element(largest.begin(), largest.end());
 }
 
 /// Eq. 3.46 - 3.48; 0/0, nothing moves, is 0.
-double Residual(const Points& Q, const Points& before, const Points& rest)
+double Residual(const Points& Q, const Points& before, const Points& rest, int threads)
 {
-  const double step = LargestSquaredStep(Q, before);
-  return step > 0.0 ? step / LargestSquaredStep(Q, rest) : 0.0;
+  const double step = LargestSquaredStep(Q, before, threads);
+  return step > 0.0 ? step / LargestSquaredStep(Q, rest, threads) : 0.0;
 }
 
 bool Stops(const LoopOptions& options, const HistoryRow& row)
@@ -122,7 +132,7 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
   report.history.push_back(start);
   report.converged = Stops(options, start);
 
-  AndersonAcceleration anderson(AndersonWindow);
+  AndersonAcceleration anderson(AndersonWindow, options.threads);
   std::vector<double> energies = { start.energy.Total() };
   bool fitted = false; // R is already the best for Q
   Points before;
@@ -162,7 +172,7 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
       row.energy = problem.Evaluate(Q);
     }
     row.globalChange = row.energy.Total() - bound;
-    row.residual = Residual(Q, before, rest);
+    row.residual = Residual(Q, before, rest, options.threads);
     energies.push_back(row.energy.Total());
     row.gap = nothingToGain ? 0.0 : EstimateGap(energies, restEnergy);
     report.history.push_back(row);

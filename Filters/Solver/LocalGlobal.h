@@ -24,6 +24,7 @@ struct LoopOptions
   double tolerance = 1e-4; ///< of Converged
   int maximumNumberOfIterations = 200;
   bool acceleration = true;
+  int threads = 1;
 };
 
 /// State after an iteration; row 0 is the start.

@@ -174,8 +174,7 @@ void ClosestRotations(const double* S, double* R, bool* good)
       cofactor(i, j) = M(i1, j1) * M(i2, j2) - M(i1, j2) * M(i2, j1);
     }
   }
-  const Vector8 d =
-    M(0, 0) * cofactor(0, 0) + M(1, 0) * cofactor(1, 0) + M(2, 0) * cofactor(2, 0);
+  const Vector8 d = M(0, 0) * cofactor(0, 0) + M(1, 0) * cofactor(1, 0) + M(2, 0) * cofactor(2, 0);
   const Vector8 b = SquaredNorm(cofactor);
   Vector8 x = Vector8{} + std::sqrt(3.0);
   for (int step = 0; step < NewtonSteps; ++step)

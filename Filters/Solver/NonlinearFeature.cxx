@@ -419,8 +419,9 @@ StyleReport NonlinearFeature::Solve(const NonlinearOptions& options, const Callb
 
   const Stopwatch iterate;
   const Effort before = s.Done;
-  const auto run = [&](Steps& steps, const LoopOptions& loop)
+  const auto run = [&](Steps& steps, LoopOptions loop)
   {
+    loop.threads = options.threads;
     report.loop = RunLocalGlobal(steps, s.Energy.GetRestPoints(), steps.Evaluate(s.Q).Total(),
       1e-14 * s.Energy.GetScale(), s.Q, loop, callback);
   };

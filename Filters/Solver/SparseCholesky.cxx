@@ -174,7 +174,7 @@ public:
 private:
   cholmod_common Common = {};
   cholmod_factor* Cholesky = nullptr;
-  mutable std::vector<double> Work; // of SolveSupernodal
+  mutable std::vector<double> Work;                // of SolveSupernodal
   std::unique_ptr<EigenImplementation> Indefinite; // set when the matrix is not positive definite
 };
 #endif

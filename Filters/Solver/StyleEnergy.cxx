@@ -244,8 +244,7 @@ void StyleEnergy::Covariances(const Points& Q, Matrices& S) const
       {
         const int last = std::min(first + Batch, end);
         this->Covariances(Q, first, last, batch.data());
-        std::copy_n(
-          batch.data(), 9 * static_cast<std::ptrdiff_t>(last - first), S[first].data());
+        std::copy_n(batch.data(), 9 * static_cast<std::ptrdiff_t>(last - first), S[first].data());
       }
     });
 }

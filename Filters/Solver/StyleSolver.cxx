@@ -551,6 +551,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     options.edgeWeighting != EdgeWeighting::FullEdge &&
     options.loop.stopRule != StopRule::FixedIterations;
   LoopOptions loop = options.loop;
+  loop.threads = options.threads;
   if (report.closedForm)
   {
     loop.maximumNumberOfIterations = 0;

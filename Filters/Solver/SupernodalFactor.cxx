@@ -22,7 +22,10 @@ struct Supernode
   const double* values;
   const int* row; // of each row
 
-  const double* Column(int j) const { return this->values + static_cast<std::ptrdiff_t>(j) * this->rows; }
+  const double* Column(int j) const
+  {
+    return this->values + static_cast<std::ptrdiff_t>(j) * this->rows;
+  }
 };
 
 SPHERICALSTYLE_INLINE Supernode At(const SupernodalFactor& L, int s)
@@ -147,8 +150,8 @@ void SolveSupernodal(const SupernodalFactor& factor,
   work.resize(size + 8); // and room to align
   void* memory = work.data();
   std::size_t space = work.size() * sizeof(double);
-  auto* x = static_cast<Vector4*>(
-    std::align(alignof(Vector4), size * sizeof(double), memory, space));
+  auto* x =
+    static_cast<Vector4*>(std::align(alignof(Vector4), size * sizeof(double), memory, space));
   for (int k = 0; k < n; ++k)
   {
     const auto row = B.row(factor.permutation[k]);
