@@ -367,8 +367,8 @@ void vtkConvexProxyDeformFilter::Internals::Warn(vtkConvexProxyDeformFilter* sel
   }
   if (report.turnedOver > ManyTurnedOver * static_cast<double>(surface.Mesh.F.rows()))
   {
-    far << (far.tellp() > 0 ? ". " : "")
-        << report.turnedOver << " of " << Count(surface.Mesh.F.rows(), "triangle")
+    far << (far.tellp() > 0 ? ". " : "") << report.turnedOver << " of "
+        << Count(surface.Mesh.F.rows(), "triangle")
         << " turned over. Nearer to 1, t does less harm; Transfer Offset and a region may help";
   }
   if (far.tellp() > 0)

@@ -178,6 +178,8 @@ Points GatherNormals(
 //------------------------------------------------------------------------------------------------
 struct vtkSphericalStyleFilter::Internals
 {
+  vtkSurfaceMesh Surface; // of the last input, as it came
+  vtkSurfaceMesh Refined; // with long edges split; empty without RefineLongEdges
   SphericalStyle::StyleSolver Solver;
   SphericalStyle::NonlinearFeature Nonlinear;
   vtkFoldGuard::Result Guarded;         // of this execution, empty without the guard
@@ -193,9 +195,10 @@ struct vtkSphericalStyleFilter::Internals
 
   /// @throw std::invalid_argument naming the property and its value
   static void CheckProperties(const vtkSphericalStyleFilter* self);
-  /// Model and selection with long edges split, where the user wants it.
-  /// @param surface  of the model, before and after; what it says to warn of is of the input
-  static void Refine(vtkSphericalStyleFilter* self, Inputs& inputs, vtkSurfaceMesh& surface);
+  /// The mesh to solve for. With RefineLongEdges model and selection are replaced by those with
+  /// long edges split; what it says to warn of is of the input.
+  const vtkSurfaceMesh& TakeSurface(vtkSphericalStyleFilter* self, Inputs& inputs);
+  vtkSurfaceMesh Refine(vtkSphericalStyleFilter* self, Inputs& inputs) const;
   static SphericalStyle::LoopOptions MakeLoopOptions(const vtkSphericalStyleFilter* self);
   static bool IsGuarded(const vtkSphericalStyleFilter* self)
   {
@@ -245,15 +248,25 @@ void vtkSphericalStyleFilter::Internals::CheckProperties(const vtkSphericalStyle
     "in 0.001..1", self->MaximumEdgeLength);
 }
 
-void vtkSphericalStyleFilter::Internals::Refine(
-  vtkSphericalStyleFilter* self, Inputs& inputs, vtkSurfaceMesh& surface)
+const vtkSurfaceMesh& vtkSphericalStyleFilter::Internals::TakeSurface(
+  vtkSphericalStyleFilter* self, Inputs& inputs)
 {
+  vtkSurfaceMeshConversion::Update(inputs.Model, self->WeldCoincidentPoints, this->Surface);
+  this->Refined = {};
   if (!self->RefineLongEdges || self->ReproduceThesis)
   {
-    return;
+    return this->Surface;
   }
   self->SetProgressText("Refining");
   self->UpdateProgress(0.01);
+  this->Refined = this->Refine(self, inputs);
+  return this->Refined;
+}
+
+vtkSurfaceMesh vtkSphericalStyleFilter::Internals::Refine(
+  vtkSphericalStyleFilter* self, Inputs& inputs) const
+{
+  const vtkSurfaceMesh& surface = this->Surface;
   const auto find = [&](int index, const char* purpose)
   {
     return vtkSurfaceMeshConversion::FindPointArray(
@@ -273,7 +286,7 @@ void vtkSphericalStyleFilter::Internals::Refine(
   mesh.FirstDegenerateCell = surface.FirstDegenerateCell;
   mesh.FannedPolygons = surface.FannedPolygons;
   mesh.FirstFannedPolygon = surface.FirstFannedPolygon;
-  surface = std::move(mesh);
+  return mesh;
 }
 
 SphericalStyle::LoopOptions vtkSphericalStyleFilter::Internals::MakeLoopOptions(
@@ -483,7 +496,8 @@ void vtkSphericalStyleFilter::Internals::Comment(vtkSphericalStyleFilter* self,
   {
     return;
   }
-  const vtkStyleReview::Remarks remarks = this->Review.Look(surface, Q, this->Options, report);
+  const vtkStyleReview::Remarks remarks =
+    this->Review.Look(surface, this->Solver.GetMeshGeneration(), Q, this->Options, report);
   if (!remarks.Thinned.empty())
   {
     vtkWarningWithObjectMacro(self, << remarks.Thinned);
@@ -640,14 +654,14 @@ int vtkSphericalStyleFilter::RequestData(
     return 1;
   }
 
-  vtkSurfaceMesh surface;
+  const vtkSurfaceMesh* taken = nullptr;
   Points Q;
   Eigen::VectorXd regionWeights;
   try
   {
     Internals::CheckProperties(this);
-    surface = vtkSurfaceMeshConversion::FromPolyData(inputs.Model, this->WeldCoincidentPoints);
-    Internals::Refine(this, inputs, surface);
+    taken = &this->Internal->TakeSurface(this, inputs);
+    const vtkSurfaceMesh& surface = *taken;
     const std::vector<char> region = vtkSurfaceRegion::Marks(
       this->GetInputArrayInformation(REGION_MASK), inputs.Selection, inputs.Model, surface);
     if (!region.empty())
@@ -670,6 +684,7 @@ int vtkSphericalStyleFilter::RequestData(
     return 0;
   }
 
+  const vtkSurfaceMesh& surface = *taken;
   output->ShallowCopy(inputs.Model);
   vtkSurfaceMeshConversion::ReplacePoints(
     output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);

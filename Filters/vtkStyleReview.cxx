@@ -41,15 +41,13 @@ bool CannotThin(const StyleOptions& o, const StyleReport& report)
 }
 }
 
-void vtkStyleReview::SetMesh(const TriangleMesh& mesh)
+void vtkStyleReview::SetMesh(const TriangleMesh& mesh, int generation)
 {
-  const bool same = mesh.P.rows() == this->Mesh.P.rows() && mesh.F.rows() == this->Mesh.F.rows() &&
-    mesh.P == this->Mesh.P && mesh.F == this->Mesh.F;
-  if (!same)
+  if (generation != this->Generation)
   {
-    this->Mesh = mesh;
     this->Facts = MeasureSurface(mesh);
     this->HasProbes = false;
+    this->Generation = generation;
   }
 }
 
@@ -58,11 +56,11 @@ std::string vtkStyleReview::LookAtThickness(
 {
   if (!this->HasProbes)
   {
-    this->Probes =
-      PlaceThicknessProbes(this->Mesh, EveryFew(static_cast<int>(this->Mesh.P.rows())), threads);
+    this->Probes = PlaceThicknessProbes(
+      surface.Mesh, EveryFew(static_cast<int>(surface.Mesh.P.rows())), threads);
     this->HasProbes = true;
   }
-  const Eigen::VectorXd ratios = ThicknessRatios(this->Mesh, Q, this->Probes);
+  const Eigen::VectorXd ratios = ThicknessRatios(surface.Mesh, Q, this->Probes);
   const auto thinned = (ratios.array() < ThinnedBelow).count();
   if (thinned == 0)
   {
@@ -80,15 +78,15 @@ std::string vtkStyleReview::LookAtThickness(
     "; a lower Roundness leaves more";
 }
 
-vtkStyleReview::Remarks vtkStyleReview::Look(
-  const vtkSurfaceMesh& surface, const Points& Q, const StyleOptions& o, const StyleReport& report)
+vtkStyleReview::Remarks vtkStyleReview::Look(const vtkSurfaceMesh& surface, int generation,
+  const Points& Q, const StyleOptions& o, const StyleReport& report)
 {
-  this->SetMesh(surface.Mesh);
+  this->SetMesh(surface.Mesh, generation);
   Remarks remarks;
   if (!CannotThin(o, report))
   {
     remarks.Thinned = this->LookAtThickness(surface, Q, o.threads);
   }
-  remarks.Advice = Advise(o, this->Facts, MeasureResult(this->Mesh, Q, o, report), WithCgal);
+  remarks.Advice = Advise(o, this->Facts, MeasureResult(surface.Mesh, Q, o, report), WithCgal);
   return remarks;
 }

@@ -24,16 +24,17 @@ public:
     std::string Advice;  ///< see SphericalStyle::Advise
   };
 
+  /// @param generation  another one for another mesh: StyleSolver::GetMeshGeneration
   /// @param Q  points of the result @param o, report  those of the solve that led there
-  Remarks Look(const vtkSurfaceMesh& surface, const SphericalStyle::Points& Q,
+  Remarks Look(const vtkSurfaceMesh& surface, int generation, const SphericalStyle::Points& Q,
     const SphericalStyle::StyleOptions& o, const SphericalStyle::StyleReport& report);
 
 private:
-  void SetMesh(const SphericalStyle::TriangleMesh& mesh);
+  void SetMesh(const SphericalStyle::TriangleMesh& mesh, int generation);
   std::string LookAtThickness(
     const vtkSurfaceMesh& surface, const SphericalStyle::Points& Q, int threads);
 
-  SphericalStyle::TriangleMesh Mesh;
+  int Generation = -1; // of the mesh that the rest is of
   SphericalStyle::SurfaceFacts Facts;
   bool HasProbes = false;
   SphericalStyle::ThicknessProbes Probes;

@@ -6,6 +6,7 @@
 #include "vtkFilterSupport.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -149,26 +150,83 @@ private:
   vtkNew<vtkIdList> Cuts;
 };
 
+/// Calls body(tuples) with the tuples of three of any array, of its own number type where that is
+/// float or double.
+template <typename Body>
+void WithTuples(vtkDataArray* array, Body&& body)
+{
+  const auto worker = [&body](auto* typed) { body(vtk::DataArrayTupleRange<3>(typed)); };
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(array, worker))
+  {
+    worker(array);
+  }
+}
+
 Points InputPoints(vtkPolyData* input)
 {
-  const auto tuples = vtk::DataArrayTupleRange<3>(input->GetPoints()->GetData());
-  Points x(tuples.size(), 3);
-  Eigen::Index i = 0;
-  for (const auto tuple : tuples)
-  {
-    for (int k = 0; k < 3; ++k)
+  Points x(input->GetNumberOfPoints(), 3);
+  WithTuples(input->GetPoints()->GetData(),
+    [&x](const auto& tuples)
     {
-      x(i, k) = static_cast<double>(tuple[k]);
-    }
-    if (!x.row(i).allFinite())
-    {
-      std::ostringstream message;
-      message << "Points: point " << i << " is not finite: (" << x.row(i) << ")";
-      Refuse(message);
-    }
-    ++i;
-  }
+      Eigen::Index i = 0;
+      for (const auto tuple : tuples)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          x(i, k) = static_cast<double>(tuple[k]);
+        }
+        if (!x.row(i).allFinite())
+        {
+          std::ostringstream message;
+          message << "Points: point " << i << " is not finite: (" << x.row(i) << ")";
+          Refuse(message);
+        }
+        ++i;
+      }
+    });
   return x;
+}
+
+/// Whether all faces are the triangles given, and nothing else.
+bool HasTriangles(vtkPolyData* input, const vtkSurfaceMesh& surface)
+{
+  vtkCellArray* polys = input->GetPolys();
+  const vtkIdType first = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  const vtkIdType size = surface.Corners.rows();
+  if (input->GetNumberOfStrips() > 0 || polys->GetNumberOfCells() != size || size == 0 ||
+    polys->IsHomogeneous() != 3 || surface.Cells.front() != first)
+  {
+    return false;
+  }
+  const auto equal = [&surface](auto* ids)
+  { return std::equal(ids->Begin(), ids->End(), surface.Corners.data()); };
+  return polys->IsStorage64Bit() ? equal(polys->GetConnectivityArray64())
+                                 : equal(polys->GetConnectivityArray32());
+}
+
+/// Whether the points stand where those of the mesh do, and the others somewhere.
+bool HasPoints(vtkPolyData* input, const vtkSurfaceMesh& surface)
+{
+  if (static_cast<std::size_t>(input->GetNumberOfPoints()) != surface.MeshPoint.size())
+  {
+    return false;
+  }
+  bool same = true;
+  WithTuples(input->GetPoints()->GetData(),
+    [&](const auto& tuples)
+    {
+      auto point = surface.MeshPoint.begin();
+      for (const auto tuple : tuples)
+      {
+        const int at = *point++;
+        for (int k = 0; k < 3; ++k)
+        {
+          const auto x = static_cast<double>(tuple[k]);
+          same &= at >= 0 ? x == surface.Mesh.P(at, k) : std::isfinite(x);
+        }
+      }
+    });
+  return same;
 }
 
 /// Active normals are recomputed one by one, so there must be one per point or cell.
@@ -182,6 +240,12 @@ void CheckNormals(vtkDataSetAttributes* attributes, vtkIdType number, const char
             << normals->GetNumberOfTuples() << " tuples for " << number << " " << what;
     Refuse(message);
   }
+}
+
+void CheckAllNormals(vtkPolyData* input)
+{
+  CheckNormals(input->GetPointData(), input->GetNumberOfPoints(), "points");
+  CheckNormals(input->GetCellData(), input->GetNumberOfCells(), "cells");
 }
 
 /// One point at the place of each point, the same for all that coincide.
@@ -360,12 +424,12 @@ namespace vtkSurfaceMeshConversion
 {
 vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
 {
-  CheckNormals(input->GetPointData(), input->GetNumberOfPoints(), "points");
-  CheckNormals(input->GetCellData(), input->GetNumberOfCells(), "cells");
+  CheckAllNormals(input);
   Points x = InputPoints(input);
   const std::vector<vtkIdType> first = Representatives(x, weld);
 
   vtkSurfaceMesh surface;
+  surface.Welded = weld;
   using Corners = std::array<vtkIdType, 3>;
   std::vector<Corners> triangles; // by input points
   triangles.reserve(input->GetNumberOfPolys());
@@ -444,6 +508,19 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
     }
   }
   return surface;
+}
+
+bool Update(vtkPolyData* input, bool weld, vtkSurfaceMesh& surface)
+{
+  const bool plain = surface.DegenerateTriangles == 0 && surface.FannedPolygons == 0;
+  if (plain && surface.Welded == weld && HasTriangles(input, surface) && HasPoints(input, surface))
+  {
+    CheckAllNormals(input);
+    return false;
+  }
+  surface = {}; // nothing of the old one is kept should the next line throw
+  surface = FromPolyData(input, weld);
+  return true;
 }
 
 std::vector<FaceTriangle> Triangles(vtkPolyData* input)

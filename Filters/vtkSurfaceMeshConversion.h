@@ -28,6 +28,7 @@ struct vtkSurfaceMesh
   /// Mesh point of each input point; NotMoved for points that are not taken.
   std::vector<int> MeshPoint;
   static constexpr int NotMoved = -1;
+  bool Welded = false; ///< whether points at one place are one
 
   /// What was left out or repaired, with the first cell id.
   vtkIdType DegenerateTriangles = 0;
@@ -56,6 +57,12 @@ enum class TakePoints
 ///        points
 vtkSurfaceMesh FromPolyData(
   vtkPolyData* input, bool weld, TakePoints take = TakePoints::OfTriangles);
+
+/// Makes `surface`, the result of an earlier call, that of the input: a few passes over the arrays
+/// where the input is triangles and nothing has changed, FromPolyData otherwise. Contents are
+/// compared, not times: arrays may have been written to in place.
+/// @return whether it was made anew @throw see FromPolyData; `surface` is empty then
+bool Update(vtkPolyData* input, bool weld, vtkSurfaceMesh& surface);
 
 /// A triangle of a cell, by input points.
 struct FaceTriangle

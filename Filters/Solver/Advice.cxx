@@ -4,6 +4,7 @@
 
 #include "DeformationMeasures.h"
 #include "MeshQuality.h"
+#include "Parallel.h"
 #include "SurfaceMeasures.h"
 
 #include <Eigen/Geometry>
@@ -62,35 +63,60 @@ double SolidAngle(const Points& P, const Triangles& F, Eigen::Index f, const Eig
   return 2.0 * std::atan2(TripleProduct(P, F, f, O), below);
 }
 
-void MeasureCenter(const TriangleMesh& mesh, const Eigen::Vector3d& O, ResultFacts& facts)
+using Sums = Eigen::Array4d;
+
+/// Sum of item(f) over the triangles.
+template <typename Item>
+Sums SumTriangles(const TriangleMesh& mesh, int threads, const Item& item)
 {
-  const Eigen::VectorXd areas = TriangleAreas(mesh.P, mesh.F);
-  double angle = 0.0;
-  double volume = 0.0;
-  double away = 0.0;
-  double toward = 0.0;
-  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
-  {
-    const double product = TripleProduct(mesh.P, mesh.F, f, O);
-    angle += SolidAngle(mesh.P, mesh.F, f, O);
-    volume += product;
-    (product < 0.0 ? away : toward) += areas(f);
-  }
-  if (volume < 0.0) // inside out
-  {
-    std::swap(away, toward);
-  }
-  facts.facingAwayShare = away / (away + toward);
+  return ParallelSum(static_cast<int>(mesh.F.rows()), threads, Sums(Sums::Zero()),
+    [&item](int begin, int end)
+    {
+      Sums sum = Sums::Zero();
+      for (int f = begin; f < end; ++f)
+      {
+        sum += item(f);
+      }
+      return sum;
+    });
+}
+
+void MeasureCenter(
+  const TriangleMesh& mesh, const Eigen::Vector3d& O, int threads, ResultFacts& facts)
+{
+  const Sums sums = SumTriangles(mesh, threads,
+    [&](int f) -> Sums
+    {
+      const Eigen::Vector3d a = mesh.P.row(mesh.F(f, 0));
+      const Eigen::Vector3d b = mesh.P.row(mesh.F(f, 1));
+      const Eigen::Vector3d c = mesh.P.row(mesh.F(f, 2));
+      const double product = TripleProduct(mesh.P, mesh.F, f, O);
+      const double area = 0.5 * (b - a).cross(c - a).norm();
+      return { SolidAngle(mesh.P, mesh.F, f, O), product, product < 0.0 ? area : 0.0,
+        product < 0.0 ? 0.0 : area };
+    });
+  const double angle = sums[0];
+  const double volume = sums[1];
+  const double away = volume < 0.0 ? sums[3] : sums[2]; // inside out
+  facts.facingAwayShare = away / (sums[2] + sums[3]);
   // The sum is a multiple of 4 pi if the surface is closed, and 0 from outside.
   facts.centerOutside = std::abs(angle) < 1e-6 && volume != 0.0;
 }
 
-bool ManyTurned(const TriangleMesh& mesh, const Points& Q)
+bool ManyTurned(const TriangleMesh& mesh, const Points& Q, int threads)
 {
-  const Points before = TriangleNormals(mesh.P, mesh.F);
-  const Points after = TriangleNormals(Q, mesh.F);
-  const auto turned = (before.cwiseProduct(after).rowwise().sum().array() < 0.0).count();
-  return static_cast<double>(turned) >= TurnedOverLimit * static_cast<double>(mesh.F.rows());
+  const auto normal = [&mesh](const Points& x, int f) -> Eigen::Vector3d
+  {
+    const Eigen::Vector3d a = x.row(mesh.F(f, 0));
+    const Eigen::Vector3d b = x.row(mesh.F(f, 1));
+    const Eigen::Vector3d c = x.row(mesh.F(f, 2));
+    return (b - a).cross(c - a);
+  };
+  const double turned = SumTriangles(mesh, threads,
+    [&](int f) -> Sums {
+      return { normal(mesh.P, f).dot(normal(Q, f)) < 0.0 ? 1.0 : 0.0, 0.0, 0.0, 0.0 };
+    })[0];
+  return turned >= TurnedOverLimit * static_cast<double>(mesh.F.rows());
 }
 
 /// Half-edges within the part of one center.
@@ -101,30 +127,35 @@ double MeasureRelief(
   const auto distances = [&](const Points& x)
   {
     Eigen::VectorXd distance(x.rows());
-    for (int i = 0; i < static_cast<int>(x.rows()); ++i)
-    {
-      distance(i) = (x.row(i).transpose() - report.spheres[part(i)].center).norm();
-    }
+    ParallelFor(static_cast<int>(x.rows()), o.threads,
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          distance(i) = (x.row(i).transpose() - report.spheres[part(i)].center).norm();
+        }
+      });
     return distance;
   };
   const Eigen::VectorXd before = distances(mesh.P);
   const Eigen::VectorXd after = distances(Q);
-  double sumBefore = 0.0;
-  double sumAfter = 0.0;
-  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
+  const Sums sums = SumTriangles(mesh, o.threads,
+    [&](int f)
     {
-      const int u = mesh.F(f, HalfEdgeStart(k));
-      const int v = mesh.F(f, HalfEdgeEnd(k));
-      if (part(u) == part(v))
+      Sums sum = Sums::Zero();
+      for (int k = 0; k < 3; ++k)
       {
-        sumBefore += (before(u) - before(v)) * (before(u) - before(v));
-        sumAfter += (after(u) - after(v)) * (after(u) - after(v));
+        const int u = mesh.F(f, HalfEdgeStart(k));
+        const int v = mesh.F(f, HalfEdgeEnd(k));
+        if (part(u) == part(v))
+        {
+          sum[0] += (before(u) - before(v)) * (before(u) - before(v));
+          sum[1] += (after(u) - after(v)) * (after(u) - after(v));
+        }
       }
-    }
-  }
-  return sumBefore > 0.0 ? std::sqrt(sumAfter / sumBefore) : 1.0;
+      return sum;
+    });
+  return sums[0] > 0.0 ? std::sqrt(sums[1] / sums[0]) : 1.0;
 }
 
 /// Sum over the points of |2 pi - their angles| over 4 pi. Points on a border do not count: their
@@ -191,9 +222,9 @@ ResultFacts MeasureResult(
   ResultFacts facts;
   if (report.spheres.size() == 1) // several need not be star-shaped around any
   {
-    MeasureCenter(mesh, report.sphere.center, facts);
+    MeasureCenter(mesh, report.sphere.center, o.threads, facts);
   }
-  if (ManyTurned(mesh, Q))
+  if (ManyTurned(mesh, Q, o.threads))
   {
     const Matrices R = SurfaceRotations(mesh, Q, o.threads);
     facts.turnedOverShare = static_cast<double>(CountTurnedOver(mesh.P, Q, mesh.F, R)) /

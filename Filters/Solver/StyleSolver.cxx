@@ -238,6 +238,7 @@ void StyleSolver::SetMesh(const TriangleMesh& mesh)
   {
     return;
   }
+  ++this->MeshGeneration;
   auto next = change == MeshChange::Points ? std::move(this->S) : std::make_unique<State>();
   this->S = std::make_unique<State>(); // empty, should a line below throw
   next->Set(mesh, change);

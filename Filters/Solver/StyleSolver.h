@@ -121,6 +121,10 @@ public:
   /// @throw std::invalid_argument: see MeshTopology; points not finite; triangles without area
   void SetMesh(const TriangleMesh& mesh);
 
+  /// Counts the meshes that were not equal to the one before: what else depends on the mesh alone
+  /// can be kept as long as this stays.
+  int GetMeshGeneration() const { return this->MeshGeneration; }
+
   /// Deforms the mesh. @throw std::invalid_argument for options out of range or of wrong size, and
   /// without a mesh
   /// @throw SolverError @return the report; positions and rotations are then at hand
@@ -134,6 +138,7 @@ public:
 private:
   class State;
   std::unique_ptr<State> S;
+  int MeshGeneration = 0;
 };
 } // namespace SphericalStyle
 
