@@ -42,8 +42,8 @@ double Misfit(
 }
 }
 
-StyleEnergy::StyleEnergy(const MeshTopology& topology, EdgeWeights weights, HalfEdgeVectors e,
-  HalfEdgeVectors delta, HalfEdgeVectors f, int threads)
+StyleEnergy::StyleEnergy(const MeshTopology& topology, EdgeWeights weights, SharedVectors e,
+  SharedVectors delta, SharedVectors f, int threads)
   : Topology(&topology)
   , Weights(std::move(weights))
   , Edges(std::move(e))
@@ -51,7 +51,7 @@ StyleEnergy::StyleEnergy(const MeshTopology& topology, EdgeWeights weights, Half
   , FixedTargets(std::move(f))
   , Threads(threads)
 {
-  const int m = static_cast<int>(this->Edges.rows());
+  const int m = static_cast<int>(this->Edges->rows());
   this->Scale = ParallelSum(m, this->Threads,
     [this](int begin, int end)
     {
@@ -60,32 +60,59 @@ StyleEnergy::StyleEnergy(const MeshTopology& topology, EdgeWeights weights, Half
       {
         const auto sizes = [t](const HalfEdgeVectors& x)
         { return TriangleColumns(x, t).colwise().squaredNorm(); };
-        sum += this->Weights.c.row(t).cwiseAbs().dot(sizes(this->Edges));
-        sum += this->Weights.l.row(t).cwiseAbs().dot(sizes(this->TurningTargets));
+        sum += this->Weights.c.row(t).cwiseAbs().dot(sizes(*this->Edges));
+        sum += this->Weights.l.row(t).cwiseAbs().dot(sizes(*this->TurningTargets));
         if (this->HasFixedTargets())
         {
-          sum += this->Weights.l.row(t).cwiseAbs().dot(sizes(this->FixedTargets));
+          sum += this->Weights.l.row(t).cwiseAbs().dot(sizes(*this->FixedTargets));
         }
       }
       return 3.0 * sum;
     });
 }
 
-void StyleEnergy::PrepareSteps(const CellPattern& pattern)
+bool StyleEnergy::HasPullsOf(const StyleEnergy& other) const
 {
-  const int m = static_cast<int>(this->Edges.rows());
-  HalfEdgeVectors pull(m, 9);
-  ParallelFor(m, this->Threads,
-    [&](int begin, int end)
-    {
-      for (int t = begin; t < end; ++t)
+  return this->Topology == other.Topology && this->Edges == other.Edges &&
+    this->TurningTargets == other.TurningTargets && !other.Pulls.IsEmpty() &&
+    this->Weights.c == other.Weights.c && this->Weights.l == other.Weights.l;
+}
+
+void StyleEnergy::GiveBack(const SharedVectors& targets)
+{
+  if (this->Edges == targets || this->TurningTargets == targets)
+  {
+    *this = {};
+  }
+  else if (this->FixedTargets == targets)
+  {
+    this->FixedTargets = {};
+  }
+}
+
+void StyleEnergy::PrepareSteps(const CellPattern& pattern, StyleEnergy before)
+{
+  if (this->HasPullsOf(before))
+  {
+    this->Pulls = std::move(before.Pulls);
+  }
+  else
+  {
+    before = {}; // its memory is needed
+    const int m = static_cast<int>(this->Edges->rows());
+    HalfEdgeVectors pull(m, 9);
+    ParallelFor(m, this->Threads,
+      [&](int begin, int end)
       {
-        Eigen::Map<Eigen::Matrix3d>(pull.row(t).data()) =
-          TriangleColumns(this->Edges, t) * this->Weights.c.row(t).asDiagonal() +
-          TriangleColumns(this->TurningTargets, t) * this->Weights.l.row(t).asDiagonal();
-      }
-    });
-  this->Pulls = CellPulls(pattern, *this->Topology, pull, this->Threads);
+        for (int t = begin; t < end; ++t)
+        {
+          Eigen::Map<Eigen::Matrix3d>(pull.row(t).data()) =
+            TriangleColumns(*this->Edges, t) * this->Weights.c.row(t).asDiagonal() +
+            TriangleColumns(*this->TurningTargets, t) * this->Weights.l.row(t).asDiagonal();
+        }
+      });
+    this->Pulls = CellPulls(pattern, *this->Topology, pull, this->Threads);
+  }
   if (!this->HasFixedTargets())
   {
     return;
@@ -106,8 +133,8 @@ void StyleEnergy::PrepareSteps(const CellPattern& pattern)
           const int t = this->Topology->GetCorners()[at] / 3;
           const int k = this->Topology->GetCorners()[at] % 3;
           const Eigen::Matrix3d weighted =
-            TriangleColumns(this->FixedTargets, t) * this->Weights.l.row(t).asDiagonal();
-          covariance += TriangleColumns(this->TurningTargets, t) * weighted.transpose();
+            TriangleColumns(*this->FixedTargets, t) * this->Weights.l.row(t).asDiagonal();
+          covariance += TriangleColumns(*this->TurningTargets, t) * weighted.transpose();
           // Corner k starts half-edge k + 2 and ends half-edge k + 1.
           fixed += 3.0 * (weighted.col((k + 2) % 3) - weighted.col((k + 1) % 3));
         }
@@ -179,8 +206,8 @@ void SumResiduals(const ResidualArrays& a, int begin, int end, EnergyTerms& ener
 EnergyTerms StyleEnergy::Evaluate(const Points& Q, const Matrices& R) const
 {
   const Triangles& F = this->Topology->GetTriangles();
-  const ResidualArrays arrays = { F.data(), Q.data(), R.data()->data(), this->Edges.data(),
-    this->TurningTargets.data(), this->HasFixedTargets() ? this->FixedTargets.data() : nullptr,
+  const ResidualArrays arrays = { F.data(), Q.data(), R.data()->data(), this->Edges->data(),
+    this->TurningTargets->data(), this->HasFixedTargets() ? this->FixedTargets->data() : nullptr,
     this->Weights.c.data(), this->Weights.l.data(), static_cast<int>(Q.rows()) - 1 };
   return ParallelSum(static_cast<int>(F.rows()), this->Threads, EnergyTerms(),
     [&](int begin, int end)
@@ -201,14 +228,14 @@ Eigen::VectorXd StyleEnergy::CellEnergies(const Points& Q, const Matrices& R) co
     Eigen::Matrix3d G = E;
     if (this->HasFixedTargets())
     {
-      G -= TriangleColumns(this->FixedTargets, f);
+      G -= TriangleColumns(*this->FixedTargets, f);
     }
     for (int y = 0; y < 3; ++y)
     {
       const Eigen::Matrix3d& rotation = R[F(f, y)];
       energy(F(f, y)) +=
-        Misfit(E, rotation, TriangleColumns(this->Edges, f), this->Weights.c.row(f)) +
-        Misfit(G, rotation, TriangleColumns(this->TurningTargets, f), this->Weights.l.row(f));
+        Misfit(E, rotation, TriangleColumns(*this->Edges, f), this->Weights.c.row(f)) +
+        Misfit(G, rotation, TriangleColumns(*this->TurningTargets, f), this->Weights.l.row(f));
     }
   }
   return energy;

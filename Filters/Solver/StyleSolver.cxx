@@ -179,12 +179,13 @@ public:
   bool HasTriangles = false;
   EnergyTriangleOptions Shape;
   EnergyTriangles Reshaped; // empty where the energy keeps the surface's
-  HalfEdgeVectors Edges;
+  std::shared_ptr<const HalfEdgeVectors> Edges;
   CellPattern Cells;
   Points RestMeans;
   // Depends on detail size too.
   double BaseSize = -1.0;
   Points Base;
+  std::shared_ptr<const HalfEdgeVectors> DetailEdges; // with a detail size
   // Depends on the centers' ids and blend too.
   std::vector<int> CenterIds;
   double CenterBlend = 0.0;
@@ -195,6 +196,8 @@ public:
   GlobalStep Global;
   // Result of the last solve.
   StyleEnergy Energy;
+  StyleEnergy LastEnergy;                       // of the solve before, while this one is made
+  std::shared_ptr<HalfEdgeVectors> LastTargets; // its tau: memory to be used again
   Points T;
   Points Q; // in the frame
   Points Positions;
@@ -213,7 +216,7 @@ public:
   std::vector<Sphere> Spheres(const StyleOptions& options) const;
   Points Directions(
     const StyleOptions& options, const Eigen::Vector3d& center, std::vector<int>& onCenter) const;
-  HalfEdgeVectors Targets(const StyleOptions& options, StyleReport& report);
+  std::shared_ptr<HalfEdgeVectors> Targets(const StyleOptions& options, StyleReport& report);
   void UpdateGlobal(const std::vector<int>& fixedPoints);
   bool IsClosedForm(const StyleOptions& options, const StyleReport& report) const;
   void BuildEnergy(const StyleOptions& options, StyleReport& report);
@@ -282,7 +285,8 @@ void StyleSolver::State::UpdateTriangles(const EnergyTriangleOptions& options)
   {
     this->Cells = {};
   }
-  this->Edges = HalfEdgeDifferences(this->P, this->SummedTriangles());
+  this->Edges =
+    std::make_shared<HalfEdgeVectors>(HalfEdgeDifferences(this->P, this->SummedTriangles()));
   this->RestMeans = this->Summed().Topology.ComponentMeans(this->P, this->Areas);
   this->BaseSize = -1.0;
   this->CenterIds.clear();
@@ -297,12 +301,15 @@ void StyleSolver::State::UpdateBase(double detailSize)
   }
   this->BaseSize = -1.0;
   this->Base = this->P;
+  this->DetailEdges.reset();
   if (detailSize > 0.0)
   {
     const EnergyTriangles& triangles = this->Summed();
     // The frame's diagonal is 1, so the fraction is the length.
-    this->Base = SmoothBase(this->P, triangles.Topology, triangles.Cotangents, detailSize,
-      PointAreas(this->P, this->Given.F));
+    this->Base =
+      SmoothBase(this->P, triangles.Topology, triangles.Cotangents, detailSize, this->Areas);
+    this->DetailEdges = std::make_shared<HalfEdgeVectors>(
+      HalfEdgeDifferences(this->P - this->Base, this->SummedTriangles()));
   }
   this->BaseSize = detailSize;
 }
@@ -320,7 +327,7 @@ void StyleSolver::State::UpdateShares(const StyleOptions& options)
   {
     const EnergyTriangles& triangles = this->Summed();
     this->Shares = CenterShares(this->P, triangles.Topology, triangles.Cotangents,
-      options.centerBlend, options.centerIds, centers, PointAreas(this->P, this->Given.F));
+      options.centerBlend, options.centerIds, centers, this->Areas);
   }
   this->CenterIds = options.centerIds;
   this->CenterBlend = options.centerBlend;
@@ -379,19 +386,26 @@ Points StyleSolver::State::Directions(
   return BlendDirections(d, given ? options.normals : PointNormals(this->Base, this->Given.F), a);
 }
 
-/// tau [energy] from every center, of the base; and t, of several centers by their shares.
-HalfEdgeVectors StyleSolver::State::Targets(const StyleOptions& options, StyleReport& report)
+/// tau [energy] from every center, of the base, into memory that earlier solves may have left; and
+/// t, of several centers by their shares.
+std::shared_ptr<HalfEdgeVectors> StyleSolver::State::Targets(
+  const StyleOptions& options, StyleReport& report)
 {
   report.spheres = this->Spheres(options);
   report.sphere = report.spheres.front();
   const Triangles& F = this->SummedTriangles();
-  HalfEdgeVectors tau = HalfEdgeVectors::Zero(F.rows(), 9);
+  auto tau = std::move(this->LastTargets);
+  if (!tau || tau.use_count() > 1)
+  {
+    tau = std::make_shared<HalfEdgeVectors>();
+  }
   if (report.spheres.size() == 1)
   {
     this->T = this->Directions(options, report.sphere.center, report.pointsOnCenter);
-    AddEdgeTargets(this->T, report.sphere.radius, {}, F, tau);
+    SetEdgeTargets(this->T, report.sphere.radius, F, options.threads, *tau);
     return tau;
   }
+  *tau = HalfEdgeVectors::Zero(F.rows(), 9);
   this->T = Points::Zero(this->P.rows(), 3);
   for (std::size_t k = 0; k < report.spheres.size(); ++k)
   {
@@ -399,7 +413,7 @@ HalfEdgeVectors StyleSolver::State::Targets(const StyleOptions& options, StyleRe
     const Eigen::VectorXd omega = this->Shares.col(static_cast<Eigen::Index>(k));
     std::vector<int> onCenter;
     const Points t = this->Directions(options, sphere.center, onCenter);
-    AddEdgeTargets(t, sphere.radius, omega, F, tau);
+    AddEdgeTargets(t, sphere.radius, omega, F, *tau);
     this->T += omega.asDiagonal() * t;
     report.pointsOnCenter.insert(report.pointsOnCenter.end(), onCenter.begin(), onCenter.end());
   }
@@ -446,20 +460,21 @@ void StyleSolver::State::BuildEnergy(const StyleOptions& options, StyleReport& r
   }
   EdgeWeights weights = ComputeEdgeWeights(this->Summed().Cotangents, F, lambda,
     options.edgeWeighting, options.sphericalWeighting, this->Summed().NumberOfStitches);
-  HalfEdgeVectors tau = this->Targets(options, report);
-  if (options.detailSize > 0.0)
+  this->LastEnergy = std::exchange(this->Energy, {});
+  this->LastEnergy.GiveBack(SharedVectors(this->LastTargets));
+  const std::shared_ptr<HalfEdgeVectors> tau = this->Targets(options, report);
+  const bool details = options.detailSize > 0.0;
+  if (options.concaveEdges != ConcaveEdges::Keep)
   {
-    const HalfEdgeVectors baseEdges = HalfEdgeDifferences(this->Base, F);
-    report.concaveHalfEdges = ChangeConcaveTargets(baseEdges, options.concaveEdges, tau);
-    this->Energy = StyleEnergy(topology, std::move(weights), this->Edges, this->Edges - baseEdges,
-      std::move(tau), options.threads);
+    report.concaveHalfEdges = ChangeConcaveTargets(
+      details ? HalfEdgeVectors(*this->Edges - *this->DetailEdges) : *this->Edges,
+      options.concaveEdges, *tau);
   }
-  else
-  {
-    report.concaveHalfEdges = ChangeConcaveTargets(this->Edges, options.concaveEdges, tau);
-    this->Energy = StyleEnergy(topology, std::move(weights), this->Edges, std::move(tau),
-      HalfEdgeVectors(0, 9), options.threads);
-  }
+  this->Energy = details ? StyleEnergy(topology, std::move(weights), this->Edges, this->DetailEdges,
+                             SharedVectors(tau), options.threads)
+                         : StyleEnergy(topology, std::move(weights), this->Edges,
+                             SharedVectors(tau), SharedVectors(), options.threads);
+  this->LastTargets = tau;
   report.seconds.weights = watch.Seconds();
 }
 
@@ -471,7 +486,7 @@ void StyleSolver::State::PrepareSteps(StyleReport& report)
   {
     this->Cells = CellPattern(this->Summed().Topology);
   }
-  this->Energy.PrepareSteps(this->Cells);
+  this->Energy.PrepareSteps(this->Cells, std::exchange(this->LastEnergy, {}));
   report.seconds.weights += watch.Seconds();
 }
 
@@ -556,6 +571,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   if (report.closedForm)
   {
     loop.maximumNumberOfIterations = 0;
+    s.LastEnergy = {};
   }
   else
   {
