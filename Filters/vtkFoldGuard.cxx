@@ -62,9 +62,16 @@ void AddBeforeAfter(vtkFieldData* data, const char* name, int before, int after)
 
 namespace vtkFoldGuard
 {
-Result Solve(StyleSolver& solver, const StyleOptions& options, const TriangleMesh& rest,
+Result Solve(StyleSolver& solver, const StyleOptions& wanted, const TriangleMesh& rest,
   bool singlePrecision, const Finish& finish, const Callback& callback)
 {
+  // One solve leads to the next here: what the guard decides must not depend on earlier executions.
+  StyleOptions options = wanted;
+  if (options.initialGuess == InitialGuess::LastResult)
+  {
+    options.initialGuess = InitialGuess::Blend;
+  }
+  options.loop.timeBudget = 0.0;
   const IntersectionSearch search = Search();
   const Stopwatch watch;
   Result result;

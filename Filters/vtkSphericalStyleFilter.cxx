@@ -244,6 +244,8 @@ void vtkSphericalStyleFilter::Internals::CheckProperties(const vtkSphericalStyle
   }
   Require(self->Tolerance > 0.0 && self->Tolerance < 1.0, "Tolerance", "above 0 and below 1",
     self->Tolerance);
+  Require(self->TimeBudget >= 0.0 && std::isfinite(self->TimeBudget), "TimeBudget", "0 or more",
+    self->TimeBudget);
   Require(self->MaximumEdgeLength >= 0.001 && self->MaximumEdgeLength <= 1.0, "MaximumEdgeLength",
     "in 0.001..1", self->MaximumEdgeLength);
 }
@@ -319,6 +321,7 @@ SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
   o.componentCoupling = static_cast<SphericalStyle::ComponentCoupling>(self->ComponentCoupling);
   o.initialGuess = static_cast<SphericalStyle::InitialGuess>(self->InitialGuess);
   o.loop = MakeLoopOptions(self);
+  o.loop.timeBudget = self->TimeBudget;
   o.threads = ThreadsToUse(self->NumberOfThreads);
 
   const auto gather = [&](int index) { return Gather(self, index, surface, inputs.Model); };
@@ -440,7 +443,8 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
       std::to_string(surface.FirstInputPoint(report.pointsOnCenter.front())) +
       "; the mean of the neighbours' directions is taken");
   }
-  if (surface.Mesh.F.rows() > 0 && !report.loop.converged && !report.loop.aborted)
+  if (surface.Mesh.F.rows() > 0 && !report.loop.converged && !report.loop.aborted &&
+    !report.loop.outOfTime)
   {
     warn(vtkStyleHistory::NotConverged(report));
   }
@@ -721,6 +725,7 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ComponentCoupling: " << this->ComponentCoupling << "\n";
   os << indent << "WeldCoincidentPoints: " << OnOff(this->WeldCoincidentPoints) << "\n";
   os << indent << "InitialGuess: " << this->InitialGuess << "\n";
+  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "RefineLongEdges: " << OnOff(this->RefineLongEdges) << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "ReproduceThesis: " << OnOff(this->ReproduceThesis) << "\n";

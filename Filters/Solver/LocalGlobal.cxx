@@ -4,6 +4,7 @@
 
 #include "AndersonAcceleration.h"
 #include "Parallel.h"
+#include "Stopwatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,8 +139,14 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
   Points before;
   Points image;
   Points mixed;
+  const Stopwatch watch;
   while (!report.converged && report.iterations < options.maximumNumberOfIterations)
   {
+    if (options.timeBudget > 0.0 && report.iterations > 0 && watch.Seconds() >= options.timeBudget)
+    {
+      report.outOfTime = true;
+      break;
+    }
     HistoryRow row;
     row.iteration = ++report.iterations;
     before = Q;
@@ -187,7 +194,7 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
   }
   if (options.stopRule == StopRule::FixedIterations)
   {
-    report.converged = !report.aborted;
+    report.converged = !report.aborted && !report.outOfTime;
   }
   return report;
 }

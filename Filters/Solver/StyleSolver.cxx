@@ -23,6 +23,7 @@ StyleOptions ThesisOptions(StyleOptions options)
   options.initialGuess = InitialGuess::Rest;
   options.anchor = Anchor::LastPoint;
   options.componentCoupling = ComponentCoupling::Independent;
+  options.loop.timeBudget = 0.0;
   options.centerMode = CenterMode::PointMean;
   options.detailSize = 0.0;
   return options;
@@ -127,6 +128,23 @@ public:
     return terms;
   }
 
+  /// Takes other rotations, and Q by a global step with them, if that is lower than what there is.
+  void StartFrom(Matrices other, Points& Q)
+  {
+    const double before = this->Evaluate(Q).Total();
+    Points moved = Q;
+    this->R.swap(other);
+    this->SolveGlobal(moved);
+    if (this->Evaluate(moved).Total() < before)
+    {
+      Q.swap(moved);
+    }
+    else
+    {
+      this->R.swap(other);
+    }
+  }
+
   /// Puts the anchor of every component back where it was; components with a fixed point stay.
   void MoveComponents(Points& Q) const
   {
@@ -202,6 +220,7 @@ public:
   Points Q; // in the frame
   Points Positions;
   Matrices R;
+  bool HasResult = false; // R is where a solve for these points and triangles ended
 
   /// The triangles of the energy. Areas, normals and spheres are those of the surface.
   const EnergyTriangles& Summed() const
@@ -246,6 +265,7 @@ void StyleSolver::SetMesh(const TriangleMesh& mesh)
   this->S = std::make_unique<State>(); // empty, should a line below throw
   next->Set(mesh, change);
   next->HasTriangles = false;
+  next->HasResult = false;
   next->Areas = PointAreas(next->P, mesh.F);
   this->S = std::move(next);
 }
@@ -269,6 +289,7 @@ void StyleSolver::State::UpdateTriangles(const EnergyTriangleOptions& options)
     return;
   }
   this->HasTriangles = false;
+  this->HasResult = false;
   // Ordering and symbolic factor stay with the triangles that they were made for.
   bool replaced = options.KeepSurface() != this->Shape.KeepSurface();
   this->Shape = options;
@@ -538,6 +559,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   Require(s.P.rows() > 0, "there is no mesh: SetMesh was not called or has thrown");
   CheckOptions(options, static_cast<int>(s.P.rows()));
   StyleReport report;
+  const Stopwatch whole;
   const Stopwatch triangles;
   s.UpdateTriangles(ShapeOf(options, s.Surface.Topology));
   report.seconds.triangles = triangles.Seconds();
@@ -550,6 +572,14 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   report.seconds.base = base.Seconds();
   s.BuildEnergy(options, report);
   s.UpdateGlobal(options.fixedPoints);
+  Matrices last;
+  const bool continues = std::exchange(s.HasResult, false) &&
+    options.initialGuess == InitialGuess::LastResult &&
+    options.loop.stopRule != StopRule::FixedIterations;
+  if (continues)
+  {
+    last = std::move(s.R);
+  }
   s.StartFromRest(options);
   LinearFeature problem(
     s.Energy, s.Global, s.R, s.P, s.Areas, s.RestMeans, options.anchor, options.localTerm.get());
@@ -561,7 +591,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
 
   // Without details the blend is not only the start but the minimum, as long as the weights are
   // positive semidefinite in every triangle: nothing needs to be solved.
-  const bool fromBlend = options.initialGuess == InitialGuess::Blend && !options.localTerm;
+  const bool fromBlend = options.initialGuess != InitialGuess::Rest && !options.localTerm;
   const bool closedForm = fromBlend && s.IsClosedForm(options, report);
   report.closedForm = closedForm && options.detailSize == 0.0 &&
     options.edgeWeighting != EdgeWeighting::FullEdge &&
@@ -595,6 +625,14 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   {
     problem.SolveGlobal(s.Q); // [start]
   }
+  if (continues && fromBlend && !report.closedForm)
+  {
+    problem.StartFrom(std::move(last), s.Q);
+  }
+  if (loop.timeBudget > 0.0)
+  {
+    loop.timeBudget = std::max(loop.timeBudget - whole.Seconds(), 1e-9);
+  }
   report.loop =
     RunLocalGlobal(problem, s.P, restEnergy, 1e-14 * s.Energy.GetScale(), s.Q, loop, callback);
   if (report.closedForm)
@@ -604,6 +642,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   }
   report.seconds.iterate = iterate.Seconds();
   s.ToModelUnits(options, report);
+  s.HasResult = !report.closedForm && !options.localTerm;
   return report;
 }
 

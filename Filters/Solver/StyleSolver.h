@@ -30,7 +30,12 @@ enum class ComponentCoupling
 enum class InitialGuess
 {
   Blend, ///< R = I and one global step, not counted [start]
-  Rest   ///< the rest points (thesis)
+  Rest,  ///< the rest points (thesis)
+  /// The rotations that the last solve of the same mesh ended with, and one global step, where that
+  /// is lower than Blend; Blend where there are none, and with a fixed number of iterations. The
+  /// minimum is the same; how near the result is to it, and so its last digits, depend on where the
+  /// last solve ended.
+  LastResult
 };
 
 /// What the user wants. Lengths and positions are in model units. Arrays of 0 rows mean "none".

@@ -777,7 +777,8 @@ void Properties(Checker& check)
   RoundTrip(Anchor, 0, 1);
   RoundTrip(ComponentCoupling, 0, 1);
   OnOff(WeldCoincidentPoints, true);
-  RoundTrip(InitialGuess, 0, 1);
+  RoundTrip(InitialGuess, 0, 2);
+  RoundTrip(TimeBudget, 0.0, 0.5);
   OnOff(RefineLongEdges, false);
   RoundTrip(MaximumEdgeLength, 0.04, 0.1);
   OnOff(ReproduceThesis, false);
@@ -800,6 +801,7 @@ void Properties(Checker& check)
   Clamped(CenterBlendWidth, 2.0, 1.0);
   Clamped(Tolerance, 0.0, 1e-14);
   Clamped(MaximumNumberOfIterations, -1, 0);
+  Clamped(TimeBudget, -1.0, 0.0);
   Clamped(CenterMode, 3, 2);
   Clamped(EdgeWeighting, 3, 2);
   Clamped(NumberOfThreads, -1, 0);
@@ -833,6 +835,7 @@ void Properties(Checker& check)
   Mode(ComponentCoupling, Independent, INDEPENDENT, 1);
   Mode(InitialGuess, Blend, BLEND, 0);
   Mode(InitialGuess, Rest, REST, 1);
+  Mode(InitialGuess, LastResult, LAST_RESULT, 2);
 
   const double* center = filter->GetCenter();
   check(center[0] == 0.0 && center[1] == 0.0 && center[2] == 0.0, "Center should start at 0");
@@ -846,12 +849,12 @@ void Properties(Checker& check)
   for (const char* name : { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode",
          "Radius", "DetailSize", "SphericalWeighting", "ConcaveEdges", "EdgeWeighting", "StopRule",
          "Tolerance", "MaximumNumberOfIterations", "Acceleration", "Anchor", "ComponentCoupling",
-         "WeldCoincidentPoints", "InitialGuess", "RefineLongEdges", "MaximumEdgeLength",
-         "ReproduceThesis", "OutputPointsPrecision", "NumberOfThreads", "GenerateTargetDirection",
-         "GenerateDisplacement", "GenerateNormals", "GenerateCellEnergy", "GenerateRotation",
-         "NumberOfIterations", "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius",
-         "AvoidSelfIntersections", "TurnedOverBefore", "TurnedOverAfter", "NewIntersectionsBefore",
-         "NewIntersectionsAfter" })
+         "WeldCoincidentPoints", "InitialGuess", "TimeBudget", "RefineLongEdges",
+         "MaximumEdgeLength", "ReproduceThesis", "OutputPointsPrecision", "NumberOfThreads",
+         "GenerateTargetDirection", "GenerateDisplacement", "GenerateNormals", "GenerateCellEnergy",
+         "GenerateRotation", "NumberOfIterations", "Converged", "FinalEnergy", "EffectiveCenter",
+         "EffectiveRadius", "AvoidSelfIntersections", "TurnedOverBefore", "TurnedOverAfter",
+         "NewIntersectionsBefore", "NewIntersectionsAfter" })
   {
     check(Contains(printed.str(), std::string(" ") + name + ": "),
       std::string("PrintSelf should print ") + name);

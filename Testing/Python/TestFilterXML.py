@@ -17,6 +17,9 @@ import sphericalstyle
 
 VTK_INT_MAX = 2**31 - 1
 
+# Defaults that are another in the window, where results follow each other quickly, on purpose.
+FOR_THE_WINDOW = {("vtkSphericalStyleFilter", "InitialGuess"): [2]}
+
 # What the class does not tell. known, enumerations: some properties that it certainly has, for
 # without them the comparisons would hold of nothing; inputs, outputs and arrays in the order of their numbers.
 FILTERS = {
@@ -136,7 +139,8 @@ def check_settable(name, element):
     value = getattr(Filter(), "Get" + name)()
     value = list(value) if isinstance(value, tuple) else [value]
     xml_value = numbers(element.get("default_values"))
-    check(xml_value == value, f"{name}: default {xml_value} in XML, {value} in C++")
+    wanted = FOR_THE_WINDOW.get((Filter.__name__, name), value)
+    check(xml_value == wanted, f"{name}: default {xml_value} in XML, {value} in C++")
     check(int(element.get("number_of_elements")) == len(value), f"{name}: number_of_elements")
 
     low, high = range_of(element)
