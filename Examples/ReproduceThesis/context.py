@@ -4,7 +4,7 @@
 import functools
 import pathlib
 
-import demo
+import model_files
 import models
 import sphericalstyle
 from surfaces import columns
@@ -34,17 +34,17 @@ class Context:
         if name in models.SHAPES:
             coarse = models.COARSE.get(name, {}) if self.small else {}
             return models.SHAPES[name](**(coarse | parameters))
-        return demo.read(ROOT / "Data" / f"{name}.vtp")
+        return model_files.read(ROOT / "Data" / f"{name}.vtp")
 
     def real(self, name):
         """A model of the folder --models as NAME.ply (or .obj, .stl, .vtp), or None."""
         if self.models_folder is None:
             return None
-        for ending in demo.READERS:
+        for ending in model_files.READERS:
             file = self.models_folder / f"{name}{ending}"
             if file.is_file():
                 self.read.add(name)
-                return demo.read(file)
+                return model_files.read(file)
         return None
 
     @staticmethod
@@ -57,10 +57,10 @@ class Context:
         """The executed filter of this class.
 
         others: {port: data}; arrays: {index: (association, name)}, 0 for points and 1 for cells;
-        properties by their VTK names. Raises demo.DemoError with the filter's own words.
+        properties by their VTK names. Raises model_files.ModelError with the filter's own words.
         """
         algorithm = getattr(sphericalstyle, name)()
-        messages = demo.Messages(algorithm)
+        messages = model_files.Messages(algorithm)
         algorithm.SetInputData(0, surface)
         for port, data in (others or {}).items():
             algorithm.SetInputData(port, data)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of the report. They look like the demo's, whose camera, light and clay they take."""
+"""Pictures of the report. Camera, light and clay are those of the other examples."""
 import html
 
 import matplotlib.font_manager
@@ -13,7 +13,7 @@ from vtkmodules.vtkImagingCore import vtkImageMapToColors, vtkImageResize
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkTexture
 
-import demo
+import model_pictures
 
 PANEL = (300, 280)  # pixels
 FONT = matplotlib.font_manager.findfont("DejaVu Sans")  # has λ, which VTK's own have not
@@ -30,19 +30,19 @@ def write(path, rows, array, limits, view, up, wires):
     def actor_of(surface):
         data = _array_of(surface, array)
         if data is None:
-            actor = demo.actor_of(surface)
+            actor = model_pictures.actor_of(surface)
         elif data.GetNumberOfComponents() == 2:
             actor = _checkered(surface)
         else:
             actor = _colored(surface, array, colors, limits)
         if wires:
             actor.GetProperty().EdgeVisibilityOn()
-            actor.GetProperty().SetEdgeColor(demo.INK)
+            actor.GetProperty().SetEdgeColor(model_pictures.INK)
             actor.GetProperty().SetLineWidth(0.6)
         return actor
 
     size = (PANEL[0] * max(len(row) for row in rows), PANEL[1] * len(rows))
-    demo.picture(path, size, rows, up, view, 12, actor_of, FONT)
+    model_pictures.picture(path, size, rows, up, view, 12, make_actor=actor_of, font=FONT)
     return _bar(array, limits) if limits else ""
 
 
@@ -112,7 +112,7 @@ def _checkered(surface):
 
 
 def _shaded(surface):
-    """Normals as of the demo's clay. Nothing is welded, so that the arrays still fit."""
+    """Normals as of the clay of model_pictures. Nothing is welded, so that the arrays still fit."""
     normals = vtkPolyDataNormals()
     normals.SetFeatureAngle(60.0)
     normals.ConsistencyOff()

@@ -24,7 +24,7 @@ import re
 import time
 import traceback
 
-import demo
+import model_files
 import pictures
 import plots
 
@@ -112,7 +112,7 @@ class Section:
         """Surfaces side by side, all in one scale.
 
         panels: [(surface, label)] or rows of such lists; a panel may go on (surface, label, lines)
-        and (surface, label, lines, view) as in Utilities/demo.py. columns: where to break one long row.
+        and (surface, label, lines, view) as in model_pictures.image_of. columns: where to break one long row.
         array: name of a point or cell array of one component to color by; "TCoords" for a checker
         by the texture coordinates. Panels without it stay in clay. range: (low, high), default the
         array's; diverging colors if it is symmetric about zero. wires: draw the edges too.
@@ -270,7 +270,7 @@ def run(experiment, context, folder):
         else:
             experiment.function(section, context)
             section.verdict()
-    except demo.DemoError as error:
+    except model_files.ModelError as error:
         section.failed(str(error))
     except Exception:  # noqa: BLE001, a report is written whatever an experiment does
         section.failed(traceback.format_exc())

@@ -52,8 +52,8 @@ def need_screen():
 
 
 def need_package():
-    """Find the package and the modules of this folder and of Utilities/."""
-    sys.path[:0] = [str(HERE), str(ROOT / "Utilities")]
+    """Find the package and the modules of this folder and of Examples/Python/."""
+    sys.path[:0] = [str(HERE), str(ROOT / "Examples" / "Python")]
     try:
         importlib.import_module("sphericalstyle")
     except ImportError:

@@ -6,7 +6,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-import demo
+import model_files
 
 
 def surface(positions, faces):
@@ -55,7 +55,7 @@ def array(surface, name):
     """A point array, or else a cell array, as numbers."""
     data = surface.GetPointData().GetArray(name) or surface.GetCellData().GetArray(name)
     if data is None:
-        raise demo.DemoError(f"There is no array {name}.")
+        raise model_files.ModelError(f"There is no array {name}.")
     return vtk_to_numpy(data)
 
 

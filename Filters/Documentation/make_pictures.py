@@ -27,9 +27,10 @@ BLUE, YELLOW, RED = (0.16, 0.27, 0.62), (0.98, 0.84, 0.20), (0.80, 0.12, 0.10)
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-sys.path.insert(0, str(ROOT / "Utilities"))
+sys.path.insert(0, str(ROOT / "Examples" / "Python"))
 
-import demo  # noqa: E402, the demo's pictures look the same
+import model_files  # noqa: E402
+import model_pictures  # noqa: E402
 from sphericalstyle import (  # noqa: E402
     vtkConvexProxyDeformFilter, vtkCubicStyleFilter, vtkGaussMapFilter, vtkNormalAnalogyFilter,
     vtkSphereProjectionFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics)
@@ -80,13 +81,13 @@ def quantize(file):
 def picture(name, size, panels, view, points, few_colors=True, **options):
     if wanted(name):
         file = HERE / "pictures" / name
-        demo.picture(file, size, panels, "y", view, points, **options)
+        model_pictures.picture(file, size, panels, "y", view, points, **options)
         if few_colors:
             quantize(file)
 
 
-creature = demo.read(ROOT / "Data" / "creature.vtp")
-cube = demo.read(ROOT / "Data" / "cube.vtp")
+creature = model_files.read(ROOT / "Data" / "creature.vtp")
+cube = model_files.read(ROOT / "Data" / "cube.vtp")
 
 picture("before-after.png", (1000, 560), [[
     (creature, "before"),
@@ -118,7 +119,7 @@ picture("center.png", (1000, 330), [[
     (around(0.15), "0.15 above the top"),
 ]], 25.0, 13)
 
-snowman = demo.read(ROOT / "Data" / "snowman.vtp")
+snowman = model_files.read(ROOT / "Data" / "snowman.vtp")
 
 
 def around_centers(surface):
@@ -147,7 +148,7 @@ picture("snowman.png", (1000, 330), [[
     (part_by_part(snowman), "one part after the other"),
 ]], 25.0, 13)
 
-loose = demo.read(ROOT / "Data" / "car.vtp")  # seven parts: body, wheels, lights
+loose = model_files.read(ROOT / "Data" / "car.vtp")  # seven parts: body, wheels, lights
 picture("stitch.png", (1200, 300), [[(loose, "model")] + [
     (rounded(loose, Roundness=roundness, DetailSize=0.03, SphericalWeighting=1,
              ComponentCoupling=coupling), f"{name}, Roundness {roundness:g}")
@@ -157,7 +158,7 @@ picture("stitch.png", (1200, 300), [[(loose, "model")] + [
 ]], 35.0, 12)
 
 # ----------------------------------------------------------------------------------- NonlinearFeature
-stone = demo.read(ROOT / "Data" / "go-stone.vtp")
+stone = model_files.read(ROOT / "Data" / "go-stone.vtp")
 nonlinear = {"Feature": vtkSphericalStyleFilter.NONLINEAR}
 thirty = {"StopRule": vtkSphericalStyleFilter.FIXED_ITERATIONS, "MaximumNumberOfIterations": 30,
           "Acceleration": False}
@@ -198,12 +199,12 @@ def energy_plot(name, surface, roundness):
     quantize(HERE / "pictures" / name)
 
 
-energy_plot("nonlinear-energy.png", demo.read(ROOT / "Data" / "stone-house.vtp"), 0.1)
+energy_plot("nonlinear-energy.png", model_files.read(ROOT / "Data" / "stone-house.vtp"), 0.1)
 
 # --------------------------------------------------------------------------------- ConvexProxyDeform
-car = demo.read(ROOT / "Data" / "car.vtp")
-bottle = demo.read(ROOT / "Data" / "bottle.vtp")
-house = demo.read(ROOT / "Data" / "stone-house.vtp")
+car = model_files.read(ROOT / "Data" / "car.vtp")
+bottle = model_files.read(ROOT / "Data" / "bottle.vtp")
+house = model_files.read(ROOT / "Data" / "stone-house.vtp")
 
 picture("car.png", (1200, 560), [[
     (car, "model"),
@@ -218,7 +219,7 @@ picture("car.png", (1200, 560), [[
 # A real model, and so not among ours; the page names its source.
 MODELS = pathlib.Path(os.environ.get("SPHERICALSTYLE_MODELS", ROOT.parent / "shared" / "models"))
 if (MODELS / "car.ply").is_file():
-    van = demo.read(MODELS / "car.ply")
+    van = model_files.read(MODELS / "car.ply")
     picture("van.png", (1000, 620), [[
         (van, "model"),
         (proxied(van, Blend=0.5), "Convex Proxy Deform, t = 0.5"),
@@ -272,7 +273,7 @@ picture("house.png", (1200, 330), [[
 
 def by_share(surface):
     """In clay, or colored by the array log2 share if there is one."""
-    actor = demo.actor_of(surface)
+    actor = model_pictures.actor_of(surface)
     if surface.GetPointData().HasArray("log2 share"):
         colors = vtkColorTransferFunction()
         for at, color in ((-9.0, BLUE), (-4.5, YELLOW), (0.0, RED)):
@@ -373,7 +374,7 @@ def gauss_panels(surface, label):
     gauss = run(vtkGaussMapFilter(), surface, {"SphereUnits": 1, "AreaWeighted": True,
                                                "NumberOfEqualAreaUnits": 500})
     area = painted(gauss.GetOutput(), "Density", 4.0)
-    model = demo.actor_of(surface)
+    model = model_pictures.actor_of(surface)
     model.SetScale(1.0 / surface.GetLength())
     return [(model, label), (angle, hit), (area, f"distance {gauss.GetDistanceToUniform():.2f}")]
 

@@ -9,8 +9,8 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 import measures
 import surfaces
 
-sys.path.insert(0, str(surfaces.ROOT / "Utilities"))
-import demo  # noqa: E402, the demo's light and camera
+sys.path.insert(0, str(surfaces.ROOT / "Examples" / "Python"))
+import model_pictures  # noqa: E402
 
 ROWS = 4  # models a sheet
 # Axis that points up, and degrees around it, for models that do not look along z with y up.
@@ -31,7 +31,7 @@ def flat(surface):
     actor.SetMapper(mapper)
     clay = actor.GetProperty()
     clay.SetInterpolationToFlat()
-    clay.SetColor(demo.CLAY)
+    clay.SetColor(model_pictures.CLAY)
     clay.SetAmbient(0.14)
     clay.SetDiffuse(0.88)
     clay.SetSpecular(0.10)
@@ -51,7 +51,7 @@ def sheets(folder, models, cases):
             panels += [(surfaces.polydata(r.x / length, r.F), f"DetailSize {d:g}, Roundness {l:g}")
                        for (d, l), r in zip(cases, results) if not r.failed]
             strip = folder / f"strip-{len(strips)}.png"
-            demo.picture(strip, (330 * len(panels), 300), [panels], up, view, 12, make_actor=flat)
+            model_pictures.picture(strip, (330 * len(panels), 300), [panels], up, view, 12, make_actor=flat)
             strips.append(strip)
         images = [Image.open(strip).convert("RGB") for strip in strips]
         sheet = Image.new("RGB", (images[0].width, sum(i.height for i in images)), "white")

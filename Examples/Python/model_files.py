@@ -1,0 +1,126 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Read models, round them, write them, in Python with or without ParaView. What goes wrong is a
+ModelError with the words of the reader, filter or writer."""
+import re
+import sys
+
+from vtkmodules.vtkCommonCore import VTK_STRING
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+from sphericalstyle import vtkSphericalStyleFilter
+
+READERS = {
+    ".ply": vtkPLYReader,
+    ".stl": vtkSTLReader,
+    ".obj": vtkOBJReader,
+    ".vtk": vtkGenericDataObjectReader,
+    ".vtp": vtkXMLPolyDataReader,
+}
+
+
+class ModelError(Exception):
+    """What went wrong, in words for the user."""
+
+
+class Messages:
+    """Errors and warnings of an algorithm, which VTK would print and go on."""
+
+    warned = set()  # each warning once, though the series runs the filter ten times
+
+    def __init__(self, algorithm):
+        self.errors = []
+        self.failed = False  # the executive's errors say no more than that
+        algorithm.AddObserver("ErrorEvent", self._error)
+        algorithm.AddObserver("WarningEvent", self._warning)
+        algorithm.GetExecutive().AddObserver("ErrorEvent", self._failure)
+
+    def _error(self, _source, _event, text):
+        self.errors.append(self._plain(text))
+
+    def _failure(self, _source, _event):
+        self.failed = True
+
+    def _warning(self, _source, _event, text):
+        warning = self._plain(text)
+        if warning not in self.warned:
+            self.warned.add(warning)
+            print(f"Warning: {warning}", file=sys.stderr)
+
+    _error.CallDataType = VTK_STRING
+    _warning.CallDataType = VTK_STRING
+
+    @staticmethod
+    def _plain(text):
+        """Without source file, line and address."""
+        return re.sub(r"^\w+: In .*\n\w+ \(0x[0-9a-f]+\): ", "", text.strip())
+
+    def raise_errors(self, what):
+        if self.errors or self.failed:
+            raise ModelError("\n  ".join([what, *dict.fromkeys(self.errors)]))
+
+
+def read(path):
+    """The file's surface, or a ModelError that says why there is none."""
+    suffix = path.suffix.lower()
+    if suffix not in READERS:
+        raise ModelError(f"{path}: cannot read files {suffix or 'without an ending'};"
+                        f" known: {' '.join(sorted(READERS))}")
+    if not path.is_file():
+        raise ModelError(f"{path}: no such file")
+    if path.stat().st_size == 0:
+        raise ModelError(f"{path}: the file is empty")
+    reader = READERS[suffix]()
+    messages = Messages(reader)
+    reader.SetFileName(str(path))
+    reader.Update()
+    messages.raise_errors(f"{path}: cannot be read as {suffix}")
+    surface = reader.GetOutputDataObject(0)
+    if surface is None:
+        raise ModelError(f"{path}: cannot be read as {suffix}")
+    if not isinstance(surface, vtkPolyData):
+        raise ModelError(f"{path}: holds a {surface.GetClassName()}, not a surface (vtkPolyData);"
+                        " take its surface first, in ParaView with Extract Surface")
+    if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
+        raise ModelError(f"{path}: holds {surface.GetNumberOfPoints()} points and no faces")
+    return surface
+
+
+def rounded(surface, **properties):
+    """The executed vtkSphericalStyleFilter; port 0 has the surface, port 1 the energies.
+    properties: by their names, such as Roundness=0.5."""
+    style = vtkSphericalStyleFilter()
+    messages = Messages(style)
+    style.SetInputData(surface)
+    for name, value in properties.items():
+        getattr(style, "Set" + name)(value)
+    style.Update()
+    messages.raise_errors("The filter failed:")
+    if style.GetOutput().GetNumberOfPoints() != surface.GetNumberOfPoints():
+        raise ModelError("The filter gave no result and no reason.")
+    return style
+
+
+def write(writer, path, data):
+    """With a writer that takes a file's name."""
+    messages = Messages(writer)
+    writer.SetFileName(str(path))
+    writer.SetInputData(data)
+    written = writer.Write()
+    messages.raise_errors(f"{path}: cannot be written")
+    if written == 0:  # writers of images return nothing
+        raise ModelError(f"{path}: cannot be written")
+
+
+def triangle_count(surface):
+    triangles = vtkTriangleFilter()
+    triangles.PassLinesOff()
+    triangles.PassVertsOff()
+    triangles.SetInputData(surface)
+    triangles.Update()
+    return triangles.GetOutput().GetNumberOfPolys()

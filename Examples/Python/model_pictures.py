@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of models in clay, side by side, in Python with or without ParaView."""
+import math
+
+import vtkmodules.vtkInteractionStyle  # noqa: F401, makes render windows work
+import vtkmodules.vtkRenderingFreeType  # noqa: F401, makes text work
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, makes rendering work
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkPolyDataNormals, vtkTriangleFilter
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkLightKit, vtkPolyDataMapper, vtkRenderer,
+                                         vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
+
+from model_files import write
+
+CLAY = (0.88, 0.62, 0.47)
+INK = (0.25, 0.22, 0.20)
+RED = (0.80, 0.12, 0.10)
+VIEW_ANGLE = 24.0  # degrees; narrow, so that near parts do not swell
+
+
+def actor_of(surface):
+    """The surface in clay. Texture seams are closed first: shading would show them as cracks."""
+    geometry = vtkPolyData()
+    geometry.CopyStructure(surface)
+    triangles = vtkTriangleFilter()
+    triangles.PassLinesOff()
+    triangles.PassVertsOff()
+    triangles.SetInputData(geometry)
+    seamless = vtkCleanPolyData()
+    seamless.SetTolerance(0.0)
+    seamless.SetInputConnection(triangles.GetOutputPort())
+    normals = vtkPolyDataNormals()
+    normals.SetFeatureAngle(60.0)  # edges of a box stay edges
+    normals.SetInputConnection(seamless.GetOutputPort())
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(normals.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    clay = actor.GetProperty()
+    clay.SetColor(CLAY)
+    clay.SetAmbient(0.14)
+    clay.SetDiffuse(0.88)
+    clay.SetSpecular(0.10)
+    clay.SetSpecularPower(12.0)
+    return actor
+
+
+def axes_of(up):
+    """(up, front): where models that stand along this axis usually look to."""
+    return {
+        "x": ((1, 0, 0), (0, 0, 1)),
+        "y": ((0, 1, 0), (0, 0, 1)),
+        "z": ((0, 0, 1), (0, -1, 0)),
+    }[up]
+
+
+def half_size(surface):
+    """Half of what has to be seen of it: long models need more than the diagonal tells."""
+    x0, x1, y0, y1, z0, z1 = surface.GetBounds()
+    return max(0.45 * surface.GetLength(), 0.57 * max(x1 - x0, y1 - y0, z1 - z0))
+
+
+def place_camera(renderer, surface, size, up, view):
+    """From the front, turned by view degrees, a little from above; size: half of what is seen."""
+    up, front = axes_of(up)
+    bounds = surface.GetBounds()
+    center = [0.5 * (bounds[2 * i] + bounds[2 * i + 1]) for i in range(3)]
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(center)
+    camera.SetViewUp(up)
+    distance = size / math.sin(math.radians(0.5 * VIEW_ANGLE))
+    camera.SetPosition([c + distance * f for c, f in zip(center, front)])
+    camera.SetViewAngle(VIEW_ANGLE)
+    width, height = renderer.GetSize()
+    camera.SetUseHorizontalViewAngle(width < height)  # the narrower side has to hold the model
+    camera.Azimuth(view)
+    camera.Elevation(14.0)
+    camera.OrthogonalizeViewUp()
+    camera.SetWindowCenter(0.0, -0.06)  # leaves the foot of the picture to the label
+    renderer.ResetCameraClippingRange()
+
+
+def soft_light(renderer):
+    kit = vtkLightKit()
+    kit.SetKeyLightIntensity(0.84)
+    kit.SetKeyLightAngle(42.0, -28.0)
+    kit.SetKeyToFillRatio(2.1)
+    kit.SetKeyToBackRatio(2.6)
+    kit.SetKeyToHeadRatio(3.6)
+    kit.AddLightsToRenderer(renderer)
+
+
+def add_text(renderer, text, x, y, points, font=None):
+    """Centred at the fraction (x, y) of the renderer's part of the window. font: a TrueType file."""
+    actor = vtkTextActor()
+    actor.SetInput(text)
+    actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    actor.SetPosition(x, y)
+    style = actor.GetTextProperty()
+    style.SetFontSize(points)
+    style.SetColor(INK)
+    style.SetJustificationToCentered()
+    style.SetVerticalJustificationToCentered()
+    if font:
+        style.SetFontFamilyAsString("File")
+        style.SetFontFile(font)
+    renderer.AddActor2D(actor)
+
+
+def lines_of(lines):
+    """Thin red lines."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(lines)
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(RED)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def picture(path, size, panels, up, view, points, **options):
+    """Write a PNG of panels; see image_of."""
+    write(vtkPNGWriter(), path, image_of(size, panels, up, view, points, **options))
+
+
+def image_of(size, panels, up, view, points, make_actor=actor_of, font=None, frame=None):
+    """The picture of rows of (surface, label[, lines[, view]]), all in the same scale, from the same
+    side unless a panel has a view of its own. make_actor(surface): other than in clay. font: a
+    TrueType file for labels that VTK's own fonts have no letters for. frame: a surface that the camera
+    is set for instead of each panel's own, for series of pictures."""
+    surfaces = [frame] if frame else [panel[0] for row in panels for panel in row]
+    seen = max(half_size(surface) for surface in surfaces)
+    window = vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetSize(size)
+    window.SetMultiSamples(8)
+    for r, row in enumerate(panels):
+        top = 1.0 - r / len(panels)
+        for c, (surface, label, *more) in enumerate(row):
+            renderer = vtkRenderer()
+            renderer.SetViewport(c / len(row), top - 1.0 / len(panels), (c + 1) / len(row), top)
+            renderer.SetBackground(1.0, 1.0, 1.0)
+            renderer.AutomaticLightCreationOff()
+            renderer.AddActor(make_actor(surface))
+            if more and more[0]:
+                renderer.AddActor(lines_of(more[0]))
+            soft_light(renderer)
+            window.AddRenderer(renderer)
+            place_camera(renderer, frame or surface, seen, up, more[1] if len(more) > 1 else view)
+            add_text(renderer, label, 0.5, 0.045, points, font)
+    window.Render()
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    image.Update()
+    window.Finalize()
+    return image.GetOutput()
