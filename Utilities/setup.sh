@@ -2,10 +2,11 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# usage: Utilities/setup.sh [--plain-vtk]
+# usage: Utilities/setup.sh [--plain-vtk | --packages]
 #
 # Installs what building, testing and the demo need on Debian 12 and is not there yet; does nothing
-# if all of it is there. --plain-vtk: also what Utilities/test-plain-vtk.sh needs.
+# if all of it is there. --plain-vtk: also what Utilities/test-plain-vtk.sh needs;
+# --packages: what Utilities/test-packages.sh needs.
 # Takes sudo if it is not run as root. On other systems: install the like of the packages below.
 set -euo pipefail
 
@@ -30,8 +31,9 @@ case ${1:-} in
     packages+=(libvtk9.1 libvtk9.1-qt
       libdouble-conversion-dev libjsoncpp-dev liblz4-dev liblzma-dev libtbb-dev libutfcpp-dev)
     ;;
+  --packages) packages+=(debian-archive-keyring dpkg-dev file mmdebstrap) ;;
   *)
-    echo "usage: Utilities/setup.sh [--plain-vtk]" >&2
+    echo "usage: Utilities/setup.sh [--plain-vtk | --packages]" >&2
     exit 2
     ;;
 esac

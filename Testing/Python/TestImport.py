@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The Python package imports, knows its version and moves the points of a sphere.
 
-usage: TestImport.py VERSION
+usage: TestImport.py VERSION [PREFIX]
+PREFIX: the package has to come from there.
 """
+import os
 import sys
 
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -12,6 +14,8 @@ import sphericalstyle
 from sphericalstyle import vtkSphericalStyleFilter
 
 assert sphericalstyle.__version__ == sys.argv[1], sphericalstyle.__version__
+if len(sys.argv) > 2:
+    assert os.path.realpath(sphericalstyle.__file__).startswith(os.path.realpath(sys.argv[2]) + os.sep)
 
 # Twice as long as wide, so that there is something to round.
 source = vtkSphereSource()

@@ -1,0 +1,47 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# cmake -DBUILD=folder -DPREFIX=folder [-DUNINSTALL=ON] -P Install.cmake
+#
+# Installs into an empty PREFIX; with UNINSTALL also removes it again and fails if something is left. What
+# the user has installed from BUILD can still be uninstalled afterwards: CMake's list of it comes back.
+cmake_minimum_required(VERSION 3.22)
+
+function (run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction ()
+
+file(GLOB users_manifests "${BUILD}/install_manifest*.txt")
+file(REMOVE_RECURSE "${PREFIX}.kept")
+file(COPY ${users_manifests} DESTINATION "${PREFIX}.kept")
+file(REMOVE ${users_manifests})
+
+file(REMOVE_RECURSE "${PREFIX}")
+run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${PREFIX}")
+if (UNINSTALL)
+  # Python leaves byte code.
+  file(GLOB_RECURSE init "${PREFIX}/__init__.py")
+  foreach (file IN LISTS init)
+    get_filename_component(folder "${file}" DIRECTORY)
+    file(WRITE "${folder}/__pycache__/__init__.pyc" "")
+  endforeach ()
+  run("${CMAKE_COMMAND}" -P "${BUILD}/uninstall.cmake")
+  if (EXISTS "${PREFIX}")
+    file(GLOB_RECURSE left LIST_DIRECTORIES true "${PREFIX}/*")
+    message(FATAL_ERROR "Left after uninstalling: ${PREFIX} ${left}")
+  endif ()
+
+  # What others have in the same folders stays.
+  file(WRITE "${PREFIX}/lib/cmake/Other/OtherConfig.cmake" "")
+  run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${PREFIX}")
+  run("${CMAKE_COMMAND}" -P "${BUILD}/uninstall.cmake")
+  file(GLOB_RECURSE left RELATIVE "${PREFIX}" "${PREFIX}/*")
+  if (NOT left STREQUAL "lib/cmake/Other/OtherConfig.cmake")
+    message(FATAL_ERROR "Should be left after uninstalling: lib/cmake/Other/OtherConfig.cmake; is: ${left}")
+  endif ()
+endif ()
+
+file(REMOVE "${BUILD}/install_manifest.txt")
+file(GLOB users_manifests "${PREFIX}.kept/*.txt")
+file(COPY ${users_manifests} DESTINATION "${BUILD}")
+file(REMOVE_RECURSE "${PREFIX}.kept")

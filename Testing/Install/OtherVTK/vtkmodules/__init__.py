@@ -1,0 +1,2 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,143 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# usage: Utilities/test-packages.sh [-v]
+#
+# Makes the Debian packages and tries them in a clean Debian 12 (mmdebstrap, below BUILD_DIR): ParaView
+# and Python find the filters without any variable, in script and window, a C++ program builds outside the
+# project and runs, and nothing is left after removal. Needs root, 4 GB of disk and the Debian archive.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+take_test_options "$@"
+if [ "$(id -u)" -ne 0 ]; then
+  echo "Making a Debian to test in needs root: sudo Utilities/test-packages.sh" >&2
+  exit 1
+fi
+root=$build/debian
+
+make_packages()
+{
+  rm -f "$build"/packages/*.deb
+  (cd "$build" && cpack)
+}
+
+make_debian()
+{
+  rm -rf --one-file-system "$root"
+  mmdebstrap --variant=minbase --dpkgopt=force-unsafe-io bookworm "$root" ${DEBIAN_MIRROR:-}
+  echo "127.0.0.1 localhost" >"$root/etc/hosts" # minbase is without
+  mkdir -p "$root/tmp/test"
+  cp "$build"/packages/*.deb "$project"/Testing/Install/TestInstalled.py \
+    "$project"/Testing/Python/TestImport.py "$project"/Testing/XML/*.xml "$root/tmp/test"
+  chown -R nobody "$root/tmp/test"
+}
+
+# in_debian COMMAND... : as root of the new Debian. The mounts are gone when the command is.
+in_debian()
+{
+  unshare --mount sh -ec '
+    root=$1; shift
+    mount -t proc proc "$root/proc"
+    mount -t sysfs -o ro sysfs "$root/sys"
+    mkdir -p "$root/dev/shm"
+    mount -t tmpfs tmpfs "$root/dev/shm"
+    exec chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 \
+      HOME=/tmp/test DEBIAN_FRONTEND=noninteractive LIBGL_ALWAYS_SOFTWARE=1 "$@"
+  ' sh "$root" "$@"
+}
+
+# as_user COMMAND... : who has no rights and no settings, in the folder with the tests.
+as_user()
+{
+  in_debian setpriv --reuid=65534 --regid=65534 --clear-groups env -C /tmp/test "$@"
+}
+
+with_screen()
+{
+  as_user xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$@"
+}
+
+# field PACKAGE FIELD
+field()
+{
+  dpkg-deb -f "$build/packages/$1_"[0-9]*.deb "$2"
+}
+
+# What a package depends on, and what else the tests need; only then what there is, to compare with.
+install_depends()
+{
+  in_debian apt-get -qq update
+  in_debian apt-get -qq -y --no-install-recommends satisfy "$@"
+  list_files >"$build/files-before.txt"
+}
+
+install_packages()
+{
+  local package
+  for package in "$@"; do
+    # The dependencies are there, so nothing but the package itself may come.
+    in_debian sh -c "apt-get -y --no-install-recommends install /tmp/test/${package}_[0-9]*.deb"
+  done
+}
+
+list_files()
+{
+  find "$root" -xdev \( -path "$root/tmp" -o -path "$root/run" -o -path "$root/var/cache" \
+    -o -path "$root/var/lib/apt" -o -path "$root/var/lib/dpkg" -o -path "$root/var/log" \) -prune \
+    -o -print | sort
+}
+
+remove_packages()
+{
+  in_debian apt-get -qq -y purge "$@"
+  list_files | diff "$build/files-before.txt" -
+}
+
+try_paraview()
+{
+  local names script
+  names=$(sed -n 's/.*<SourceProxy .*name="\([A-Za-z]*\)".*/\1/p' "$project"/ParaViewPlugin/*.xml |
+    sed 's/Filter$//')
+  as_user pvpython TestInstalled.py /usr pvserver $names
+  as_user pvbatch TestInstalled.py /usr - $names
+  as_user python3 TestImport.py "$(field sphericalstyle Version)" /usr
+  with_screen pvpython --dr /usr/share/doc/sphericalstyle/examples/Python/round_model.py \
+    /usr/share/doc/sphericalstyle/examples/creature.vtp --output /tmp/test/rounded
+  for script in "$root"/tmp/test/*Window.xml; do
+    with_screen paraview --dr "--test-script=${script##*/}" --test-directory=/tmp/test --exit
+  done
+}
+
+try_cxx()
+{
+  as_user cmake -S /usr/share/doc/sphericalstyle/examples/Cxx -B cxx
+  as_user cmake --build cxx
+  with_screen cxx/RoundModel /usr/share/doc/sphericalstyle/examples/creature.vtp --detail-size 0.03 \
+    --output cxx.vtp --off-screen cxx.png
+  test -s "$root/tmp/test/cxx.vtp" && test -s "$root/tmp/test/cxx.png"
+}
+
+step_count=14
+set_up --packages
+step "Configuring" configure.log configure release
+step "Building" build.log cmake --build "$build"
+step "Making the packages" cpack.log make_packages
+step "Making a Debian" debian.log make_debian
+step "Installing what sphericalstyle depends on" depends.log \
+  install_depends "$(field sphericalstyle Depends)" xvfb xauth libgl1-mesa-dri libqt5svg5
+step "Installing sphericalstyle" install.log install_packages sphericalstyle
+step "Using it in ParaView and Python" use.log try_paraview
+step "Removing it" remove.log remove_packages sphericalstyle
+step "Installing what sphericalstyle-dev depends on" dev-depends.log install_depends \
+  "$(field sphericalstyle-dev Depends | sed 's/^sphericalstyle [^,]*, //')" \
+  "$(field sphericalstyle-dev Recommends)" cmake g++ make
+step "Installing sphericalstyle-dev" dev-install.log install_packages sphericalstyle sphericalstyle-dev
+step "Building and running a C++ program" dev-use.log try_cxx
+step "Removing both" dev-remove.log remove_packages sphericalstyle sphericalstyle-dev
+step "Removing the Debian" debian-remove.log rm -rf --one-file-system "$root"
+
+for package in "$build"/packages/*.deb; do
+  echo "  $package: $(($(stat -c %s "$package") / 1024)) KB, $(dpkg-deb -f "$package" Installed-Size) KB installed"
+done
+echo "Done in $(minutes)."

@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# `cpack` in the build folder makes two Debian packages in packages/: sphericalstyle for those who use the
+# filters in ParaView and Python, sphericalstyle-dev for those who program with them in C++.
+# Utilities/test-packages.sh tries them in a clean Debian.
+set(debian "${CMAKE_CURRENT_SOURCE_DIR}/cmake/debian")
+file(READ LICENSE license)
+string(STRIP "${license}" license)
+string(REPLACE "\n\n" "\n.\n" license "${license}")
+string(REPLACE "\n" "\n " license " ${license}") # lines of a field begin with a space, empty ones have a dot
+configure_file("${debian}/copyright.in" "${CMAKE_BINARY_DIR}/copyright" @ONLY)
+install(FILES "${CMAKE_BINARY_DIR}/copyright" CHANGELOG.md
+  DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/sphericalstyle" COMPONENT runtime)
+install(FILES "${CMAKE_BINARY_DIR}/copyright"
+  DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/sphericalstyle-dev" COMPONENT development)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_DIRECTORY "${CMAKE_BINARY_DIR}/packages")
+set(CPACK_PACKAGE_CONTACT "SphericalStyle contributors <sphericalstyle@example.org>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+
+# A package is a group of components. The names of the components are those of VTK and ParaView.
+set(CPACK_COMPONENTS_ALL runtime paraview_plugins python development)
+set(CPACK_COMPONENT_RUNTIME_GROUP run)
+set(CPACK_COMPONENT_PARAVIEW_PLUGINS_GROUP run)
+set(CPACK_COMPONENT_PYTHON_GROUP run)
+set(CPACK_COMPONENT_DEVELOPMENT_GROUP dev)
+
+# What the library links is found by itself (SHLIBDEPS), with the versions it needs.
+set(CPACK_DEBIAN_RUN_PACKAGE_NAME sphericalstyle)
+set(CPACK_DEBIAN_RUN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_RUN_DESCRIPTION
+  "The result goes from slightly softened to a ball, with or without the details
+of the model. This package has the plugin for ParaView, the Python package
+sphericalstyle and the library.")
+set(CPACK_DEBIAN_RUN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+# Python's byte code comes and goes with the package.
+set(CPACK_DEBIAN_RUN_PACKAGE_CONTROL_EXTRA "${debian}/postinst;${debian}/prerm;${debian}/triggers")
+
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME sphericalstyle-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_DESCRIPTION
+  "This package has what C++ programs need to use the filters: headers and files
+for CMake's find_package(SphericalStyle).")
+set(dev_depends "sphericalstyle (= ${PROJECT_VERSION})")
+if (SPHERICALSTYLE_WITH_PARAVIEW)
+  set(range "(>= ${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}), PACKAGE (<< ${ParaView_VERSION_MAJOR}.${paraview_next_minor}~)")
+  string(REPLACE PACKAGE python3-paraview run_depends "python3-paraview ${range}")
+  string(REPLACE PACKAGE paraview-dev paraview_dev "paraview-dev ${range}")
+  # VTK's package for CMake looks for MPI, and for these in a program that renders.
+  set(dev_depends "${dev_depends}, ${paraview_dev}, libopenmpi-dev")
+  set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS
+    "libfreetype-dev, libgl-dev, libglew-dev, libjpeg-dev, libopengl-dev, libpng-dev, libx11-dev, libxext-dev")
+else ()
+  set(run_depends python3-vtk9)
+  set(dev_depends "${dev_depends}, libvtk9-dev")
+endif ()
+set(CPACK_DEBIAN_RUN_PACKAGE_DEPENDS "python3, ${run_depends}")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${dev_depends}")
+include(CPack)
