@@ -7,27 +7,14 @@
 ARRAY is a point array that has one whole number for each part, such as CenterId of Data/snowman.vtp.
 At once: one solve with a center for each part. One after the other: the way of the thesis (4.6.6), part by
 part in descending order (head, body, feet), with the points of all other parts held. Writes NAME-at-once.vtp,
-NAME-one-by-one.vtp and the picture NAME.png: model, one center, at once, one by one. Without --plugin the environment
-variable PV_PLUGIN_PATH has to name the folder with sphericalstyle.plugins.xml.
+NAME-one-by-one.vtp and the picture NAME.png: model, one center, at once, one by one.
+Without --plugin ParaView has to find the plugin by itself: installed, or by the environment variable PV_PLUGIN_PATH.
 """
-import argparse
-import os
 import sys
 
 from paraview.simple import *
 
-
-def parse():
-    parser = argparse.ArgumentParser(description="Round a model part by part.")
-    parser.add_argument("model", help="any file of a surface that ParaView can open")
-    parser.add_argument("array", help="point array with the number of the part")
-    parser.add_argument("--roundness", type=float, default=5.0)
-    parser.add_argument("--output", default="parts", help="how the names of the files begin")
-    parser.add_argument("--plugin", help="SphericalStyle.so, if PV_PLUGIN_PATH is not set")
-    arguments = parser.parse_args()
-    if not os.path.isfile(arguments.model):
-        parser.error(f"{arguments.model}: no such file")
-    return arguments
+from paraview_examples import load_plugin, parse, parser_for, save_row
 
 
 def part_numbers(surface, name):
@@ -48,19 +35,11 @@ def one_by_one(surface, name, numbers):
     return surface
 
 
-def show(surface, view, place, width):
-    """The surface in clay at a place of the row, counted from the left."""
-    display = Show(surface, view)
-    display.ColorArrayName = ["POINTS", ""]
-    display.AmbientColor = display.DiffuseColor = [0.88, 0.62, 0.47]
-    display.Position = [1.2 * place * width, 0.0, 0.0]
-
-
-arguments = parse()
-if arguments.plugin:
-    LoadPlugin(arguments.plugin, remote=False, ns=globals())
-if "SphericalStyle" not in globals():
-    sys.exit("The plugin is not loaded: use --plugin or set PV_PLUGIN_PATH.")
+parser = parser_for("Round a model part by part.", "parts")
+parser.add_argument("array", help="point array with the number of the part")
+parser.add_argument("--roundness", type=float, default=5.0)
+arguments = parse(parser)
+load_plugin(arguments.plugin, "SphericalStyle", globals())
 
 model = OpenDataFile(arguments.model)
 model.UpdatePipeline()
@@ -73,14 +52,4 @@ SaveData(f"{arguments.output}-at-once.vtp", proxy=at_once)
 SaveData(f"{arguments.output}-one-by-one.vtp", proxy=in_turn)
 print(f"{len(numbers)} parts")
 
-view = CreateView("RenderView")
-bounds = model.GetDataInformation().GetBounds()
-for place, surface in enumerate((model, whole, at_once, in_turn)):
-    show(surface, view, place, bounds[1] - bounds[0])
-view.UseColorPaletteForBackground = 0
-view.Background = [1.0, 1.0, 1.0]
-view.OrientationAxesVisibility = 0
-view.ViewSize = [1100, 400]
-ResetCamera(view)
-GetActiveCamera().Zoom(1.6)
-SaveScreenshot(f"{arguments.output}.png", view)
+save_row(f"{arguments.output}.png", (model, whole, at_once, in_turn), 1.2, [1100, 400], 1.6)

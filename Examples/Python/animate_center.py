@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Move the center through a model, there and back, and make a movie of what becomes of the model.
+
+    python3 animate_center.py MODEL OUTPUT [--axis x|y|z] [--travel 0.2 0.8] [--frames 48] [--rate 24]
+                                           [--roundness 2] [--normal-blend 0] [--up y] [--view 25]
+
+Also for pvpython. The ending of OUTPUT says what it is: .ogv (Ogg Theora), .avi (Motion JPEG), without
+an ending a folder of pictures 0000.png, 0001.png, ... The center runs along the axis through the middle of
+the model and back, so that the movie can be shown in a loop; --travel says between which fractions of the
+model's extent.
+"""
+import argparse
+import math
+import pathlib
+import sys
+
+from vtkmodules.vtkIOFFMPEG import vtkFFMPEGWriter
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
+
+from model_files import Messages, ModelError, read, rounded, write
+from model_pictures import image_of
+
+SIZE = (640, 640)  # pixels
+MOVIES = {".ogv": vtkOggTheoraWriter, ".avi": vtkFFMPEGWriter}
+
+
+def parse():
+    parser = argparse.ArgumentParser(description="Move the center through a model: a movie.")
+    parser.add_argument("model", type=pathlib.Path)
+    parser.add_argument("output", type=pathlib.Path)
+    parser.add_argument("--axis", choices="xyz", default="y", help="along which the center moves")
+    parser.add_argument("--travel", type=float, nargs=2, default=[0.2, 0.8], metavar=("FROM", "TO"),
+                        help="between which fractions of the model's extent (default 0.2 0.8)")
+    parser.add_argument("--frames", type=int, default=48)
+    parser.add_argument("--rate", type=int, default=24, help="frames per second")
+    parser.add_argument("--roundness", type=float, default=2.0)
+    parser.add_argument("--normal-blend", type=float, default=0.0)
+    parser.add_argument("--up", choices="xyz", default="y", help="axis of the model that points up")
+    parser.add_argument("--view", type=float, default=25.0,
+                        help="where the camera stands, degrees around that axis from the front")
+    arguments = parser.parse_args()
+    if arguments.output.suffix not in MOVIES and arguments.output.suffix:
+        parser.error(f"OUTPUT: a movie ends in {' or '.join(MOVIES)}, a folder of pictures has no ending")
+    if arguments.frames < 1 or arguments.rate < 1:
+        parser.error("--frames and --rate: at least 1")
+    return arguments
+
+
+class Pictures:
+    """Writes each picture to a folder."""
+
+    def __init__(self, folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        self.folder, self.count = folder, 0
+
+    def add(self, image):
+        write(vtkPNGWriter(), self.folder / f"{self.count:04d}.png", image)
+        self.count += 1
+
+    def end(self):
+        pass
+
+
+class Movie:
+    """Writes each picture to a movie."""
+
+    def __init__(self, path, rate):
+        self.path, self.writer = path, MOVIES[path.suffix]()
+        self.messages = Messages(self.writer)
+        self.writer.SetFileName(str(path))
+        self.writer.SetRate(rate)
+        self.writer.SetQuality(2)  # the best
+        self.started = False
+
+    def add(self, image):
+        self.writer.SetInputData(image)
+        if not self.started:
+            self.writer.Start()
+            self.started = True
+        self.writer.Write()
+        self.messages.raise_errors(f"{self.path}: cannot be written")
+
+    def end(self):
+        self.writer.End()
+        self.messages.raise_errors(f"{self.path}: cannot be written")
+
+
+def centers(bounds, axis, travel, frames):
+    """Through the middle of the box, along the axis, slowly where it turns around."""
+    length = bounds[2 * axis + 1] - bounds[2 * axis]
+    for frame in range(frames):
+        center = [0.5 * (bounds[2 * k] + bounds[2 * k + 1]) for k in range(3)]
+        share = 0.5 - 0.5 * math.cos(2.0 * math.pi * frame / frames)
+        center[axis] = bounds[2 * axis] + length * (travel[0] + share * (travel[1] - travel[0]))
+        yield center
+
+
+def main():
+    arguments = parse()
+    surface = read(arguments.model)
+    axis = "xyz".index(arguments.axis)
+    path = arguments.output
+    output = Movie(path, arguments.rate) if path.suffix else Pictures(path)
+    style = rounded(surface, Roundness=arguments.roundness, NormalBlend=arguments.normal_blend)
+    messages = Messages(style)
+    style.SetCenterModeToCustom()
+    for center in centers(surface.GetBounds(), axis, arguments.travel, arguments.frames):
+        style.SetCenter(center)
+        style.Update()  # quick: what does not depend on the center is kept
+        messages.raise_errors("The filter failed:")
+        label = f"Center {arguments.axis} = {center[axis]:.3g}"
+        output.add(image_of(SIZE, [[(style.GetOutput(), label)]], arguments.up, arguments.view, 18,
+                            frame=surface))
+    output.end()
+    print(f"{path}: {arguments.frames} frames")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (ModelError, OSError) as error:
+        sys.exit(str(error))

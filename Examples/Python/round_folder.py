@@ -1,0 +1,147 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Round all models of a folder, several at a time.
+
+    python3 round_folder.py MODELS OUTPUT [--roundness 0.5] [--detail-size 0] [--normal-blend 0]
+                                          [--processes N] [--recursive]
+
+Also for pvpython. bunny.ply becomes OUTPUT/bunny.ply.vtp, so that bunny.stl has a name of its own; with
+--recursive the folders below MODELS come again below OUTPUT. OUTPUT/summary.csv has a line for each
+model. A model that cannot be read or rounded does not stop the others: the exit code is then 1.
+"""
+import argparse
+import csv
+import multiprocessing
+import multiprocessing.connection
+import os
+import pathlib
+import sys
+import time
+
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+from model_files import READERS, ModelError, read, rounded, write
+
+COLUMNS = ["model", "points", "iterations", "energy", "seconds", "result"]
+
+
+def parse():
+    parser = argparse.ArgumentParser(description="Round all models of a folder.")
+    parser.add_argument("models", type=pathlib.Path)
+    parser.add_argument("output", type=pathlib.Path)
+    parser.add_argument("--roundness", type=float, default=0.5)
+    parser.add_argument("--detail-size", type=float, default=0.0)
+    parser.add_argument("--normal-blend", type=float, default=0.0)
+    parser.add_argument("--processes", type=int, default=len(os.sched_getaffinity(0)),
+                        help="how many models at a time (default: as many as processors)")
+    parser.add_argument("--recursive", action="store_true", help="folders below MODELS too")
+    arguments = parser.parse_args()
+    if not arguments.models.is_dir():
+        parser.error(f"{arguments.models}: no such folder")
+    if arguments.models.resolve() == arguments.output.resolve():
+        parser.error("OUTPUT has to be another folder than MODELS")
+    if arguments.processes < 1:
+        parser.error("--processes: at least 1")
+    return arguments
+
+
+def find_models(folder, output, recursive):
+    """The models' paths below the folder, in order. What was written to the output does not count."""
+    files = folder.rglob("*") if recursive else folder.glob("*")
+    return sorted(file.relative_to(folder) for file in files
+                  if file.suffix.lower() in READERS and file.is_file()
+                  and output.resolve() not in file.resolve().parents)
+
+
+def place_for(model, output):
+    """Where the model is written to; a link must not lead out of the output folder."""
+    place = output / model.parent / (model.name + ".vtp")
+    place.parent.mkdir(parents=True, exist_ok=True)
+    if not place.resolve().is_relative_to(output.resolve()):
+        raise ModelError(f"{place} leads out of {output}")
+    return place
+
+
+def round_one(model, arguments):
+    """A line of the table."""
+    start = time.perf_counter()
+    surface = read(arguments.models / model)
+    place = place_for(model, arguments.output)
+    style = rounded(surface, Roundness=arguments.roundness, DetailSize=arguments.detail_size,
+                    NormalBlend=arguments.normal_blend)
+    # Under its name only when it is complete.
+    part = place.with_name(place.name + ".part")
+    write(vtkXMLPolyDataWriter(), part, style.GetOutput())
+    part.replace(place)
+    return {"points": surface.GetNumberOfPoints(), "iterations": style.GetNumberOfIterations(),
+            "energy": f"{style.GetFinalEnergy():.6g}",
+            "seconds": f"{time.perf_counter() - start:.2f}", "result": "rounded"}
+
+
+def work(model, arguments, connection):
+    """In a process of its own: a reader that crashes takes no other model along."""
+    try:
+        connection.send(round_one(model, arguments))
+    except (ModelError, OSError, ValueError) as error:
+        connection.send({"result": str(error)})
+
+
+def round_all(models, arguments):
+    """Yields (model, line of the table), in the order in which they become ready."""
+    context = multiprocessing.get_context("fork")  # pvpython cannot start itself anew
+    waiting, running = list(reversed(models)), {}
+    while waiting or running:
+        while waiting and len(running) < arguments.processes:
+            model = waiting.pop()
+            receiver, sender = context.Pipe(duplex=False)
+            process = context.Process(target=work, args=(model, arguments, sender))
+            process.start()
+            sender.close()
+            running[process.sentinel] = model, process, receiver
+        for sentinel in multiprocessing.connection.wait(list(running)):
+            model, process, receiver = running.pop(sentinel)
+            process.join()
+            try:
+                line = receiver.recv()
+            except EOFError:
+                line = {"result": f"broke off with exit code {process.exitcode}"}
+            yield model, {"model": model.as_posix()} | line
+
+
+def print_table(lines):
+    rows = [COLUMNS] + [[str(line.get(column, "")) for column in COLUMNS] for line in lines]
+    widths = [max(len(row[k]) for row in rows) for k in range(len(COLUMNS) - 1)]
+    for row in rows:
+        cells = [row[0].ljust(widths[0])] + [cell.rjust(w) for cell, w in zip(row[1:-1], widths[1:])]
+        print("  ".join(cells + [row[-1].splitlines()[0]]))
+
+
+def main():
+    arguments = parse()
+    models = find_models(arguments.models, arguments.output, arguments.recursive)
+    if not models:
+        sys.exit(f"{arguments.models}: no models ({' '.join(sorted(READERS))})")
+    arguments.output.mkdir(parents=True, exist_ok=True)
+    # The processes share the processors.
+    threads = max(1, len(os.sched_getaffinity(0)) // min(arguments.processes, len(models)))
+    os.environ.setdefault("VTK_SMP_MAX_THREADS", str(threads))
+
+    lines = []
+    for model, line in round_all(models, arguments):
+        lines.append(line)
+        print(f"[{len(lines)}/{len(models)}] {model.as_posix()}: {line['result']}", flush=True)
+    lines.sort(key=lambda line: line["model"])
+
+    print()
+    print_table(lines)
+    with open(arguments.output / "summary.csv", "w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, COLUMNS)
+        table.writeheader()
+        table.writerows(lines)
+    failed = sum(line["result"] != "rounded" for line in lines)
+    print(f"\n{len(lines) - failed} of {len(lines)} models rounded")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
