@@ -338,7 +338,8 @@ void vtkConvexProxyDeformFilter::Internals::FillLines(
 void vtkConvexProxyDeformFilter::Internals::Warn(vtkConvexProxyDeformFilter* self,
   const vtkSurfaceMesh& surface, const ProxyDeformationReport& report)
 {
-  const auto warn = [self](const std::string& text) { vtkWarningWithObjectMacro(self, << text); };
+  const auto warn = [self](const std::string& text)
+  { vtkWarningWithObjectMacro(self, << InBlock(self) << text); };
   if (!report.fallback.empty())
   {
     warn("the proxy was made by IsotropicRemeshing, since the chosen ProxyMesher failed: " +
@@ -398,6 +399,7 @@ void vtkConvexProxyDeformFilter::Internals::SetFacts(vtkConvexProxyDeformFilter*
 vtkConvexProxyDeformFilter::vtkConvexProxyDeformFilter()
   : Internal(std::make_unique<Internals>())
 {
+  NoteBlocks(this);
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(
@@ -438,6 +440,10 @@ int vtkConvexProxyDeformFilter::FillInputPortInformation(int port, vtkInformatio
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
+  else
+  {
+    TakeDataSet(info);
+  }
   return 1;
 }
 
@@ -449,6 +455,10 @@ int vtkConvexProxyDeformFilter::RequestData(
   vtkSelection* selection = vtkSelection::GetData(inputVector[SELECTION], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   Internals::SetFacts(this, {}, 0, 0.0, false);
+  if (!IsSurface(this, inputVector[MODEL]))
+  {
+    return 0;
+  }
   if (!input || input->GetNumberOfPoints() == 0)
   {
     return 1;
@@ -482,7 +492,7 @@ int vtkConvexProxyDeformFilter::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< InBlock(this) << error.what());
     return 0;
   }
   if (report.aborted)

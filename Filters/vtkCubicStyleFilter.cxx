@@ -38,10 +38,17 @@ void vtkCubicStyleFilter::Internals::SetFacts(
 vtkCubicStyleFilter::vtkCubicStyleFilter()
   : Internal(std::make_unique<Internals>())
 {
+  NoteBlocks(this);
   this->SetNumberOfOutputPorts(2);
 }
 
 vtkCubicStyleFilter::~vtkCubicStyleFilter() = default;
+
+int vtkCubicStyleFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  TakeDataSet(info);
+  return 1;
+}
 
 int vtkCubicStyleFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
@@ -58,6 +65,10 @@ int vtkCubicStyleFilter::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   Internals::SetFacts(this, {});
+  if (!IsSurface(this, inputVector[0]))
+  {
+    return 0;
+  }
   if (!input || input->GetNumberOfPoints() == 0)
   {
     return 1;
@@ -74,7 +85,7 @@ int vtkCubicStyleFilter::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< InBlock(this) << error.what());
     return 0;
   }
   style.FillOutputs(this, input, vtkPolyData::GetData(outputVector, 0),

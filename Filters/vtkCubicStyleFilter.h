@@ -155,6 +155,7 @@ protected:
   vtkCubicStyleFilter();
   ~vtkCubicStyleFilter() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

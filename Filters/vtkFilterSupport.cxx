@@ -3,10 +3,19 @@
 #include "vtkFilterSupport.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkVersion.h"
 
 #include <algorithm>
@@ -16,8 +25,101 @@
 #include <stdexcept>
 #include <thread>
 
+namespace
+{
+/// In the filter's own information: the composite data that it runs over.
+vtkInformationObjectBaseKey* Composite()
+{
+  static auto* key = vtkInformationObjectBaseKey::MakeKey("COMPOSITE", "SphericalStyle");
+  return key;
+}
+
+/// The pipeline runs a filter once for each block, with the block in place of the composite data.
+/// Only when the whole run starts and ends the data itself is there.
+void NoteComposite(vtkObject* caller, unsigned long event, void*, void*)
+{
+  auto* self = static_cast<vtkAlgorithm*>(caller);
+  if (self->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  vtkDataObject* data = self->GetInputDataObject(0, 0);
+  if (vtkCompositeDataSet::SafeDownCast(data))
+  {
+    self->GetInformation()->Set(Composite(), event == vtkCommand::StartEvent ? data : nullptr);
+  }
+}
+
+/// @param path  names from the top to the leaf, which is below the tree if the answer is true
+bool FindLeaf(vtkDataObjectTree* tree, vtkDataObject* leaf, std::string& path)
+{
+  const auto children = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  children->TraverseSubTreeOff();
+  children->VisitOnlyLeavesOff();
+  children->SkipEmptyNodesOff();
+  int number = 0;
+  for (children->InitTraversal(); !children->IsDoneWithTraversal(); children->GoToNextItem())
+  {
+    const char* given = children->HasCurrentMetaData()
+      ? children->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
+      : nullptr;
+    const std::string name = given && *given ? given : std::to_string(number);
+    vtkDataObject* child = children->GetCurrentDataObject();
+    std::string below;
+    if (child && child == leaf)
+    {
+      path = name;
+      return true;
+    }
+    if (auto* subtree = vtkDataObjectTree::SafeDownCast(child);
+        subtree && FindLeaf(subtree, leaf, below))
+    {
+      path = name + "/" + below;
+      return true;
+    }
+    ++number;
+  }
+  return false;
+}
+}
+
 namespace vtkFilterSupport
 {
+void NoteBlocks(vtkAlgorithm* self)
+{
+  vtkNew<vtkCallbackCommand> note;
+  note->SetCallback(NoteComposite);
+  self->AddObserver(vtkCommand::StartEvent, note);
+  self->AddObserver(vtkCommand::EndEvent, note);
+}
+
+std::string InBlock(vtkAlgorithm* self)
+{
+  auto* tree = vtkDataObjectTree::SafeDownCast(self->GetInformation()->Get(Composite()));
+  std::string path;
+  return tree && FindLeaf(tree, self->GetInputDataObject(0, 0), path) ? "block \"" + path + "\": "
+                                                                      : "";
+}
+
+void TakeDataSet(vtkInformation* port)
+{
+  port->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+}
+
+bool IsSurface(vtkAlgorithm* self, vtkInformationVector* port)
+{
+  vtkDataObject* data = vtkDataObject::GetData(port, 0);
+  if (!data || vtkPolyData::SafeDownCast(data))
+  {
+    return true;
+  }
+  vtkErrorWithObjectMacro(
+    self, << InBlock(self) << "the input is a " << data->GetClassName()
+          << " and not a surface (vtkPolyData); make one of it with Extract Surface "
+             "in ParaView, vtkDataSetSurfaceFilter in VTK");
+  return false;
+}
+
 void Require(bool good, const char* name, const char* must, double value)
 {
   if (!good)

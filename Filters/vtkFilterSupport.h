@@ -13,6 +13,8 @@
 
 class vtkAlgorithm;
 class vtkFieldData;
+class vtkInformation;
+class vtkInformationVector;
 
 namespace vtkFilterSupport
 {
@@ -26,6 +28,21 @@ void RequireSphere(const double* center, const double* radius);
 /// Roundness, and centre and radius where they are the user's own.
 /// @param center, radius  nullptr when they are not @throw std::invalid_argument
 void RequireTarget(double roundness, const double* center, const double* radius);
+
+/// For constructors: from now on InBlock knows what the filter is running over.
+void NoteBlocks(vtkAlgorithm* self);
+
+/// "block \"Car/Wheel\": " while the filter runs over a block of composite data, else empty: how
+/// its messages begin. A block without a name has its number, from 0, among its parent's.
+std::string InBlock(vtkAlgorithm* self);
+
+/// For FillInputPortInformation: any data set may come in, so that IsSurface can say what to do
+/// with it.
+void TakeDataSet(vtkInformation* port);
+
+/// Whether the data at the port can be a surface, or there is none; else an error says how to get
+/// one.
+bool IsSurface(vtkAlgorithm* self, vtkInformationVector* port);
 
 /// Adds an array of one number.
 void AddCount(vtkFieldData* data, const char* name, int count);

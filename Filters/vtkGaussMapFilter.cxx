@@ -205,7 +205,8 @@ void vtkGaussMapFilter::Internals::FillTable(const vtkGaussMapFilter* self, vtkT
 void vtkGaussMapFilter::Internals::Warn(
   vtkGaussMapFilter* self, const vtkSurfaceMesh& surface, int without)
 {
-  const auto warn = [self](const std::string& text) { vtkWarningWithObjectMacro(self, << text); };
+  const auto warn = [self](const std::string& text)
+  { vtkWarningWithObjectMacro(self, << InBlock(self) << text); };
   if (self->NumberOfNormals == 0)
   {
     warn("the input has no normals to count");
@@ -230,9 +231,16 @@ void vtkGaussMapFilter::Internals::Warn(
 //------------------------------------------------------------------------------------------------
 vtkGaussMapFilter::vtkGaussMapFilter()
 {
+  NoteBlocks(this);
   this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::NORMALS);
+}
+
+int vtkGaussMapFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  TakeDataSet(info);
+  return 1;
 }
 
 int vtkGaussMapFilter::FillOutputPortInformation(int port, vtkInformation* info)
@@ -260,6 +268,10 @@ int vtkGaussMapFilter::RequestData(
   using namespace SphericalStyle;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   Internals::Measure(this, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), 0); // of nothing
+  if (!IsSurface(this, inputVector[0]))
+  {
+    return 0;
+  }
   if (!input || input->GetNumberOfPoints() == 0)
   {
     return 1;
@@ -275,7 +287,7 @@ int vtkGaussMapFilter::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< InBlock(this) << error.what());
     return 0;
   }
 

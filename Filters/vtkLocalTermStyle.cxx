@@ -63,7 +63,8 @@ void vtkLocalTermStyle::FillOutputs(vtkPolyDataAlgorithm* self, vtkPolyData* inp
   vtkSurfaceMeshConversion::AddDisplacement(output, input);
   vtkStyleHistory::Fill(history, this->Report, secondTerm);
 
-  const auto warn = [self](const std::string& text) { vtkWarningWithObjectMacro(self, << text); };
+  const auto warn = [self](const std::string& text)
+  { vtkWarningWithObjectMacro(self, << vtkFilterSupport::InBlock(self) << text); };
   for (const std::string& remark : vtkSurfaceMeshConversion::Remarks(this->Surface))
   {
     warn(remark);

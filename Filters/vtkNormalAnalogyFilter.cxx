@@ -125,6 +125,7 @@ void vtkNormalAnalogyFilter::Internals::SetFacts(
 vtkNormalAnalogyFilter::vtkNormalAnalogyFilter()
   : Internal(std::make_unique<Internals>())
 {
+  NoteBlocks(this);
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
@@ -148,6 +149,10 @@ int vtkNormalAnalogyFilter::FillInputPortInformation(int port, vtkInformation* i
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
+  else
+  {
+    TakeDataSet(info);
+  }
   return 1;
 }
 
@@ -167,6 +172,10 @@ int vtkNormalAnalogyFilter::RequestData(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[MODEL], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   Internals::SetFacts(this, {}, 0);
+  if (!IsSurface(this, inputVector[MODEL]))
+  {
+    return 0;
+  }
   if (!input || input->GetNumberOfPoints() == 0)
   {
     return 1;
@@ -187,7 +196,7 @@ int vtkNormalAnalogyFilter::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< InBlock(this) << error.what());
     return 0;
   }
   style.FillOutputs(this, input, output, vtkTable::GetData(outputVector, 1),

@@ -52,6 +52,17 @@ Sphere FindSphere(
 }
 }
 
+vtkSphereProjectionFilter::vtkSphereProjectionFilter()
+{
+  NoteBlocks(this);
+}
+
+int vtkSphereProjectionFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  TakeDataSet(info);
+  return 1;
+}
+
 int vtkSphereProjectionFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -60,6 +71,10 @@ int vtkSphereProjectionFilter::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   std::fill_n(this->EffectiveCenter, 3, 0.0);
   this->EffectiveRadius = 0.0;
+  if (!IsSurface(this, inputVector[0]))
+  {
+    return 0;
+  }
   if (!input || input->GetNumberOfPoints() == 0)
   {
     return 1;
@@ -80,7 +95,7 @@ int vtkSphereProjectionFilter::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< InBlock(this) << error.what());
     return 0;
   }
 
@@ -92,7 +107,7 @@ int vtkSphereProjectionFilter::RequestData(
   Conversion::AddDisplacement(output, input);
   if (!onCenter.empty())
   {
-    vtkWarningMacro(<< "no ray from the center through "
+    vtkWarningMacro(<< InBlock(this) << "no ray from the center through "
                     << Count(static_cast<vtkIdType>(onCenter.size()), "point")
                     << " on it, the first is point " << surface.FirstInputPoint(onCenter.front())
                     << "; they stay in place");

@@ -138,9 +138,10 @@ public:
   ///@}
 
 protected:
-  vtkSphereProjectionFilter() = default;
+  vtkSphereProjectionFilter();
   ~vtkSphereProjectionFilter() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

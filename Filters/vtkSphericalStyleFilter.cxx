@@ -431,7 +431,8 @@ SphericalStyle::StyleReport vtkSphericalStyleFilter::Internals::Solve(vtkSpheric
 void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
   const vtkSurfaceMesh& surface, const SphericalStyle::StyleReport& report) const
 {
-  const auto warn = [self](const std::string& text) { vtkWarningWithObjectMacro(self, << text); };
+  const auto warn = [self](const std::string& text)
+  { vtkWarningWithObjectMacro(self, << InBlock(self) << text); };
   for (const std::string& remark : vtkSurfaceMeshConversion::Remarks(surface))
   {
     warn(remark);
@@ -461,8 +462,8 @@ void vtkSphericalStyleFilter::Internals::WarnOfNonlinear(
   const SphericalStyle::Rises rises = SphericalStyle::CountRises(report.loop);
   if (rises.globalSteps + rises.localSteps > 0)
   {
-    vtkWarningWithObjectMacro(self, << "the energy rose in " << rises.globalSteps << " global and "
-                                    << rises.localSteps << " local steps and in "
+    vtkWarningWithObjectMacro(self, << InBlock(self) << "the energy rose in " << rises.globalSteps
+                                    << " global and " << rises.localSteps << " local steps and in "
                                     << rises.iterations << " of " << report.loop.iterations
                                     << " iterations: CenterConstraint AsWritten does not minimise "
                                        "it; Corrected does");
@@ -470,7 +471,8 @@ void vtkSphericalStyleFilter::Internals::WarnOfNonlinear(
   if (this->Nonlinear.HasInwardNormals())
   {
     vtkWarningWithObjectMacro(
-      self, << "the normals point toward the centre: Feature Nonlinear turns "
+      self, << InBlock(self)
+            << "the normals point toward the centre: Feature Nonlinear turns "
                "the surface over. Reverse its faces (vtkReverseSense)");
   }
 }
@@ -504,7 +506,7 @@ void vtkSphericalStyleFilter::Internals::Comment(vtkSphericalStyleFilter* self,
     this->Review.Look(surface, this->Solver.GetMeshGeneration(), Q, this->Options, report);
   if (!remarks.Thinned.empty())
   {
-    vtkWarningWithObjectMacro(self, << remarks.Thinned);
+    vtkWarningWithObjectMacro(self, << InBlock(self) << remarks.Thinned);
   }
   self->Advice = self->ReproduceThesis ? "" : remarks.Advice;
   self->AdviceTime.Modified();
@@ -583,6 +585,7 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
 vtkSphericalStyleFilter::vtkSphericalStyleFilter()
   : Internal(std::make_unique<Internals>())
 {
+  NoteBlocks(this);
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(
@@ -624,7 +627,7 @@ const char* vtkSphericalStyleFilter::GetAdvice()
 
 int vtkSphericalStyleFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  const char* types[] = { "vtkPolyData", "vtkPointSet", "vtkSelection" };
+  const char* types[] = { "vtkDataSet", "vtkPointSet", "vtkSelection" }; // see IsSurface
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
   if (port != MODEL)
   {
@@ -653,6 +656,10 @@ int vtkSphericalStyleFilter::RequestData(
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   SphericalStyle::StyleReport report;
   this->Internal->SetFacts(this, report);
+  if (!IsSurface(this, inputVector[MODEL]))
+  {
+    return 0;
+  }
   if (!inputs.Model || inputs.Model->GetNumberOfPoints() == 0)
   {
     return 1;
@@ -684,7 +691,7 @@ int vtkSphericalStyleFilter::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< InBlock(this) << error.what());
     return 0;
   }
 

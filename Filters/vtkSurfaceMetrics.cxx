@@ -254,9 +254,9 @@ void vtkSurfaceMetrics::Internals::MeasureCondition(
   this->AddNumber("ConditionAccuracy", condition.accuracy);
   if (!(condition.accuracy <= ConditionTolerance))
   {
-    vtkWarningWithObjectMacro(
-      this->Self, << "the condition number is known to a relative accuracy of "
-                  << condition.accuracy << " only");
+    vtkWarningWithObjectMacro(this->Self,
+      << InBlock(this->Self) << "the condition number is known to a relative accuracy of "
+      << condition.accuracy << " only");
   }
 }
 
@@ -279,6 +279,7 @@ Pairs vtkSurfaceMetrics::Internals::MeasureSelfIntersections() const
   this->AddCount("SelfIntersectingTriangles", CountTriangles(pairs));
 #else
   vtkWarningWithObjectMacro(this->Self,
+    << InBlock(this->Self)
     << "self-intersections are not looked for: this library was built without CGAL. Switch "
        "FindSelfIntersections off to measure the rest without this warning");
 #endif
@@ -434,6 +435,7 @@ void vtkSurfaceMetrics::Internals::Measure(vtkPolyData* reference) const
 //------------------------------------------------------------------------------------------------
 vtkSurfaceMetrics::vtkSurfaceMetrics()
 {
+  NoteBlocks(this);
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
@@ -455,6 +457,10 @@ int vtkSurfaceMetrics::FillInputPortInformation(int port, vtkInformation* info)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
+  else
+  {
+    TakeDataSet(info);
+  }
   return 1;
 }
 
@@ -471,6 +477,10 @@ int vtkSurfaceMetrics::RequestData(
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[REFERENCE], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
+  if (!IsSurface(this, inputVector[SURFACE]))
+  {
+    return 0;
+  }
   if (!input || input->GetNumberOfPoints() == 0)
   {
     return 1;
@@ -493,7 +503,7 @@ int vtkSurfaceMetrics::RequestData(
   {
     output->Initialize();
     table->Initialize();
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< InBlock(this) << error.what());
     return 0;
   }
   if (Aborted(this)) // half of the measures are none
@@ -504,13 +514,14 @@ int vtkSurfaceMetrics::RequestData(
   }
   if (surface.Mesh.F.rows() == 0)
   {
-    vtkWarningMacro("the input has no triangle with an area: there is nothing to measure");
+    vtkWarningMacro(<< InBlock(this)
+                    << "the input has no triangle with an area: there is nothing to measure");
   }
   if (surface.FannedPolygons > 0)
   {
-    vtkWarningMacro("cut " << Count(surface.FannedPolygons, "polygon")
-                           << " that cannot be triangulated as fans, the first is cell "
-                           << surface.FirstFannedPolygon);
+    vtkWarningMacro(<< InBlock(this) << "cut " << Count(surface.FannedPolygons, "polygon")
+                    << " that cannot be triangulated as fans, the first is cell "
+                    << surface.FirstFannedPolygon);
   }
   return 1;
 }
