@@ -39,9 +39,10 @@ of the model. This package has the plugin for ParaView, the Python package
 sphericalstyle and the library.")
 set(CPACK_DEBIAN_RUN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
-# Python's byte code comes and goes with the package.
-set(CPACK_DEBIAN_RUN_PACKAGE_CONTROL_EXTRA "${debian}/postinst;${debian}/prerm;${debian}/triggers")
+# Python's byte code comes and goes with the package; shlibs is for packages of programs that link the library.
+configure_file("${debian}/shlibs.in" "${CMAKE_BINARY_DIR}/shlibs" @ONLY)
+set(CPACK_DEBIAN_RUN_PACKAGE_CONTROL_EXTRA
+  "${debian}/postinst;${debian}/prerm;${debian}/triggers;${CMAKE_BINARY_DIR}/shlibs")
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME sphericalstyle-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
