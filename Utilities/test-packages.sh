@@ -6,7 +6,7 @@
 #
 # Makes the Debian packages and tries them in a clean Debian 12 (mmdebstrap, below BUILD_DIR): ParaView
 # and Python find the filters without any variable, in script and window, a C++ program builds outside the
-# project and runs, and nothing is left after removal. Needs root, 4 GB of disk and the Debian archive.
+# project and runs, and nothing is left after removal. Needs root, 4 GB of disk and the Debian archive (another than usual: DEBIAN_MIRROR=URL).
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 take_test_options "$@"
