@@ -7,6 +7,8 @@
 
 #include "TriangleMesh.h"
 
+#include <limits>
+
 namespace SphericalStyle
 {
 /// A part that has less than this left of its thickness counts as thinned: at a tenth a sheet looks
@@ -27,9 +29,10 @@ struct ThicknessProbes
 /// whose ray meets nothing, as on an open sheet, are left out. A surface whose signed volume is
 /// negative is inside out: its normals are taken the other way.
 /// @param points  whose opposite points are wanted
+/// @param reach  fraction of the diagonal; only what is nearer is met
 /// Cost: a tree of the triangles, m log m, and about log m per ray.
-ThicknessProbes PlaceThicknessProbes(
-  const TriangleMesh& rest, const std::vector<int>& points, int threads);
+ThicknessProbes PlaceThicknessProbes(const TriangleMesh& rest, const std::vector<int>& points,
+  int threads, double reach = std::numeric_limits<double>::infinity());
 
 /// Distance of each probe's two points after over before.
 Eigen::VectorXd ThicknessRatios(

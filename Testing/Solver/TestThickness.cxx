@@ -114,6 +114,31 @@ void TestAgainstSearch()
   CHECK(probe > 600, "most points should have an opposite one, " << probe << " have");
 }
 
+// A reach leaves out what is farther away, and nothing else: none, some or all of them.
+void TestReach()
+{
+  const TriangleMesh mesh = Meshes::Perturbed(Meshes::Ellipsoid(3), 0.03, 9);
+  const double diagonal = Meshes::Diagonal(mesh.P);
+  const ThicknessProbes all = ProbesOf(mesh);
+  std::vector<int> points(mesh.P.rows());
+  std::iota(points.begin(), points.end(), 0);
+  for (const double reach : { 0.01, 0.4, 0.5, 2.0 })
+  {
+    const ThicknessProbes near = PlaceThicknessProbes(mesh, points, 1, reach);
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < all.points.size(); ++i)
+    {
+      const Vector3d p = mesh.P.row(all.points[i]);
+      const bool expected = (Opposite(mesh, all, i) - p).norm() < reach * diagonal;
+      const bool found = at < near.points.size() && near.points[at] == all.points[i];
+      CHECK(found == expected, "point " << all.points[i] << " within " << reach << ": " << found);
+      CHECK(!found || near.triangles[at] == all.triangles[i], "another triangle is opposite");
+      at += found;
+    }
+    std::cout << at << " of " << all.points.size() << " within " << reach << std::endl;
+  }
+}
+
 void TestInvariance()
 {
   const TriangleMesh mesh = Meshes::Perturbed(Meshes::Ellipsoid(3), 0.02, 3);
@@ -237,6 +262,7 @@ int main()
 {
   TestBox();
   TestAgainstSearch();
+  TestReach();
   TestInvariance();
   TestWithout();
   TestHollowBall();
