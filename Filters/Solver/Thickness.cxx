@@ -96,10 +96,11 @@ struct FirstHit
   /// Distance of the box along the ray.
   double DistanceOf(const Eigen::AlignedBox3d& box) const
   {
-    const Eigen::Array3d a = (box.min() - this->Origin).cwiseProduct(this->Inverse);
-    const Eigen::Array3d b = (box.max() - this->Origin).cwiseProduct(this->Inverse);
-    const double enters = std::max(0.0, a.min(b).maxCoeff() - Rounding);
-    const double leaves = a.max(b).minCoeff() + Rounding;
+    const Eigen::Array3d low = (box.min() - this->Origin).array() - Rounding;
+    const Eigen::Array3d high = (box.max() - this->Origin).array() + Rounding;
+    const Eigen::Array3d a = low * this->Inverse.array(), b = high * this->Inverse.array();
+    const double enters = std::max(0.0, a.min(b).maxCoeff());
+    const double leaves = a.max(b).minCoeff();
     return enters <= leaves ? enters : Nothing;
   }
 

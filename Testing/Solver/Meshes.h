@@ -180,6 +180,51 @@ inline TriangleMesh Scaled(TriangleMesh mesh, const Vector& factors)
   return mesh;
 }
 
+/// The meshes one after the other.
+inline TriangleMesh Together(const std::vector<TriangleMesh>& meshes)
+{
+  Eigen::Index n = 0, m = 0;
+  for (const TriangleMesh& mesh : meshes)
+  {
+    n += mesh.P.rows();
+    m += mesh.F.rows();
+  }
+  TriangleMesh all = { Points(n, 3), Triangles(m, 3) };
+  n = m = 0;
+  for (const TriangleMesh& mesh : meshes)
+  {
+    all.P.middleRows(n, mesh.P.rows()) = mesh.P;
+    all.F.middleRows(m, mesh.F.rows()) = mesh.F.array() + static_cast<int>(n);
+    n += mesh.P.rows();
+    m += mesh.F.rows();
+  }
+  return all;
+}
+
+inline TriangleMesh Moved(TriangleMesh mesh, const Vector& move)
+{
+  mesh.P.rowwise() += move.transpose();
+  return mesh;
+}
+
+inline TriangleMesh Turned(TriangleMesh mesh, const Eigen::Matrix3d& rotation)
+{
+  mesh.P = (mesh.P * rotation.transpose()).eval();
+  return mesh;
+}
+
+/// The same mesh with point i at place[i].
+inline TriangleMesh Renumbered(const TriangleMesh& mesh, const std::vector<int>& place)
+{
+  TriangleMesh result = mesh;
+  for (Eigen::Index i = 0; i < mesh.P.rows(); ++i)
+  {
+    result.P.row(place[i]) = mesh.P.row(i);
+  }
+  result.F = mesh.F.unaryExpr([&](int i) { return place[i]; });
+  return result;
+}
+
 /// Every point moved by up to amount along each axis.
 inline TriangleMesh Perturbed(TriangleMesh mesh, double amount, std::uint32_t seed)
 {

@@ -11,6 +11,7 @@
 
 using namespace SphericalStyle;
 using Meshes::Random;
+using Meshes::Turned;
 using Meshes::Vector;
 
 namespace
@@ -26,12 +27,6 @@ Eigen::VectorXd CountFaces(const SphereUnits& units, const TriangleMesh& mesh, b
   const Eigen::VectorXd weights =
     RelativeWeights(mesh.F.rows(), byArea ? TriangleAreas(mesh.P, mesh.F) : Eigen::VectorXd());
   return CountNormals(units, TriangleNormals(mesh.P, mesh.F), weights);
-}
-
-TriangleMesh Turned(TriangleMesh mesh, const Eigen::Matrix3d& R)
-{
-  mesh.P = (mesh.P * R.transpose()).eval();
-  return mesh;
 }
 
 /// Every normal is in its unit, and the numbers of the units are those of the image.

@@ -173,6 +173,23 @@ void TestWithout()
   CHECK(ProbesOf(one).points.empty(), "one triangle has no thickness");
 }
 
+// Rays along an axis meet what ends right at them: two flat sheets see each other up to the border.
+void TestBorder()
+{
+  TriangleMesh lower = Meshes::Patch(12, 0.0);
+  lower.F = lower.F.rowwise().reverse().eval();
+  for (const Vector3d& turn : { Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1) })
+  {
+    const Eigen::Matrix3d rotation =
+      Eigen::Quaterniond::FromTwoVectors(Vector3d(0, 0, 1), turn).toRotationMatrix();
+    const TriangleMesh sheets = Meshes::Turned(
+      Meshes::Together({ lower, Meshes::Moved(Meshes::Patch(12, 0.0), { 0, 0, 0.1 }) }), rotation);
+    const ThicknessProbes probes = ProbesOf(sheets);
+    CHECK(static_cast<Eigen::Index>(probes.points.size()) == sheets.P.rows(),
+      "every point should have an opposite one, " << probes.points.size() << " have");
+  }
+}
+
 // Both sides of the wall see each other, none sees through the cavity.
 void TestHollowBall()
 {
@@ -265,6 +282,7 @@ int main()
   TestReach();
   TestInvariance();
   TestWithout();
+  TestBorder();
   TestHollowBall();
   TestBlendBound();
   TestDetailsKept();
