@@ -53,9 +53,9 @@
  * Spherical (energies, length^2), LocalChange, GlobalChange, Residual (Eq. 3.46), Gap (estimated,
  * see Tolerance; NaN while unknown). Its field data: StageSeconds (Base, Weights, Analyze, Factor,
  * Iterate), LinearSolver, Spheres (4: center and radius), one tuple per center id, ascending,
- * NumberOfStitches (see ComponentCoupling) and Advice (GetAdvice). With AvoidSelfIntersections the
- * table is that of the last solve, and its field data has TurnedOver and NewIntersectingPairs (2:
- * before, after), GuardSolves and GuardSeconds.
+ * NumberOfStitches and NumberOfWallStitches (see ComponentCoupling) and Advice (GetAdvice). With
+ * AvoidSelfIntersections the table is that of the last solve, and its field data has TurnedOver and
+ * NewIntersectingPairs (2: before, after), GuardSolves and GuardSeconds.
  *
  * Energy [energy], minimised over points p' and rotations R by local and global steps:
  *
@@ -284,7 +284,8 @@ public:
   /**
    * Size of the details that keep their shape and only turn, as a fraction of the diagonal of the
    * model's bounds [detail]. 0 (default) is the thesis: details flatten as Roundness grows. .03
-   * keeps a face on a ball. Larger values keep larger parts. Range 0..0.2.
+   * keeps a face on a ball. Larger values keep larger parts. Walls thinner than twice the size keep
+   * their thickness (ComponentCoupling). Range 0..0.2.
    */
   vtkSetClampMacro(DetailSize, double, 0.0, 0.2);
   vtkGetMacro(DetailSize, double);
@@ -436,7 +437,9 @@ public:
    * What holds parts together that share no edge (eyeballs in a head, panels of a car): Stitched
    * (default; near points of different parts are joined by edges, so that parts travel and turn
    * with their surroundings and the whole model has one anchor) or Independent (thesis; nothing:
-   * each part has an anchor of its own and goes its own way). Models of one part come out the same.
+   * each part has an anchor of its own and goes its own way). With DetailSize above 0, Stitched
+   * also joins the two sides of walls that are thinner than twice that, so that a cup or a plate
+   * keeps its thickness [wall]; otherwise models of one part come out the same.
    */
   vtkSetClampMacro(ComponentCoupling, int, STITCHED, INDEPENDENT);
   vtkGetMacro(ComponentCoupling, int);

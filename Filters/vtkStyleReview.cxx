@@ -75,7 +75,7 @@ std::string vtkStyleReview::LookAtThickness(
     vtkFilterSupport::Count(thinned, "point") + " of " + std::to_string(ratios.size()) +
     " looked at, the first is point " +
     std::to_string(surface.FirstInputPoint(this->Probes.points[first])) +
-    "; a lower Roundness leaves more";
+    "; a lower Roundness or a larger DetailSize leaves more";
 }
 
 vtkStyleReview::Remarks vtkStyleReview::Look(const vtkSurfaceMesh& surface, int generation,

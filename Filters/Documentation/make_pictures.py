@@ -4,8 +4,8 @@
 
     PYTHONPATH=BUILD/lib/python3/dist-packages pvpython make_pictures.py [NAME ...]
 
-NAME: pictures to make, as car for car.png; all without one. van.png needs the folder of real models
-SPHERICALSTYLE_MODELS, and stays as it is without.
+NAME: pictures to make, as car for car.png; all without one. van.png and wall.png need the folder of
+real models SPHERICALSTYLE_MODELS, and stay as they are without.
 """
 import os
 import pathlib
@@ -14,9 +14,11 @@ import sys
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.collections import LineCollection
 from PIL import Image
 from vtkmodules.util import numpy_support
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkThreshold
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersCore import vtkCutter, vtkPolyDataNormals, vtkThreshold
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper
@@ -157,6 +159,45 @@ picture("stitch.png", (1200, 300), [[(loose, "model")] + [
                            (vtkSphericalStyleFilter.STITCHED, "Stitched"))
 ]], 35.0, 12)
 
+MODELS = pathlib.Path(os.environ.get("SPHERICALSTYLE_MODELS", ROOT.parent / "shared" / "models"))
+
+
+def section(surface):
+    """Segments of the surface in the plane y = the middle of its bounds."""
+    plane = vtkPlane()
+    plane.SetNormal(0.0, 1.0, 0.0)
+    plane.SetOrigin(surface.GetCenter())
+    cutter = vtkCutter()
+    cutter.SetCutFunction(plane)
+    cutter.SetInputData(surface)
+    cutter.Update()
+    cut = cutter.GetOutput()
+    points = numpy_support.vtk_to_numpy(cut.GetPoints().GetData())[:, [0, 2]]
+    ends = numpy_support.vtk_to_numpy(cut.GetLines().GetConnectivityArray()).reshape(-1, 2)
+    return (points - np.array(surface.GetCenter())[[0, 2]])[ends]
+
+
+def wall_sections(name):
+    """The goblet, and what its wall becomes: Independent above, Stitched below."""
+    if not wanted(name) or not (MODELS / "goblet-vase.ply").is_file():
+        return
+    goblet = demo.read(MODELS / "goblet-vase.ply")
+    figure, axes = plt.subplots(2, 3, figsize=(10.0, 6.4), layout="constrained", sharex=True, sharey=True)
+    for row, (coupling, how) in zip(axes, ((vtkSphericalStyleFilter.INDEPENDENT, "Independent"),
+                                           (vtkSphericalStyleFilter.STITCHED, "Stitched"))):
+        for axis, roundness in zip(row, (0.0, 0.5, 5.0)):
+            surface = rounded(goblet, Roundness=roundness, DetailSize=0.03, ComponentCoupling=coupling)
+            axis.add_collection(LineCollection(section(surface), colors="black", linewidths=1.0))
+            axis.set_title(f"{how}, Roundness {roundness:g}" if roundness else "model", fontsize=11)
+            axis.set_aspect("equal")
+            axis.autoscale()
+            axis.axis("off")
+    figure.savefig(HERE / "pictures" / name)
+    quantize(HERE / "pictures" / name)
+
+
+wall_sections("wall.png")
+
 # ----------------------------------------------------------------------------------- NonlinearFeature
 stone = model_files.read(ROOT / "Data" / "go-stone.vtp")
 nonlinear = {"Feature": vtkSphericalStyleFilter.NONLINEAR}
@@ -217,7 +258,6 @@ picture("car.png", (1200, 560), [[
 ]], 40.0, 14)
 
 # A real model, and so not among ours; the page names its source.
-MODELS = pathlib.Path(os.environ.get("SPHERICALSTYLE_MODELS", ROOT.parent / "shared" / "models"))
 if (MODELS / "car.ply").is_file():
     van = model_files.read(MODELS / "car.ply")
     picture("van.png", (1000, 620), [[

@@ -3,6 +3,7 @@
 #include "EdgeWeights.h"
 
 #include "MeshEdges.h"
+#include "Stitches.h"
 
 #include <Eigen/Geometry>
 
@@ -54,8 +55,9 @@ EdgeWeights ComputeEdgeWeights(const HalfEdgeScalars& cotangents, const Triangle
   w.c = cotangents;
   if (full)
   {
-    w.c = EdgeSums(cotangents, F);
-    w.c.bottomRows(2 * stitches) *= 0.5;
+    const Eigen::Index m = F.rows() - 2 * stitches;
+    w.c.topRows(m) = EdgeSums(cotangents.topRows(m), F.topRows(m));
+    w.c.bottomRows(2 * stitches) *= 2.0; // of stitches alone, whatever edge they run beside
   }
   const bool cotangent = spherical == SphericalWeighting::Cotangent;
   const bool oneLambda = lambda.size() > 0 && (lambda.array() == lambda(0)).all();
@@ -75,8 +77,8 @@ EdgeWeights ComputeEdgeWeights(const HalfEdgeScalars& cotangents, const Triangle
       w.l.row(f) = std::sqrt(3.0) * mean * w.c.row(f);
       continue;
     }
-    const bool half = f >= F.rows() - 2 * stitches;
-    const double share = (full ? 1.0 : 0.5) * (half ? 0.5 : 1.0);
+    const bool stitch = f >= F.rows() - 2 * stitches;
+    const double share = stitch ? 0.5 * w.c(f, 1) / StitchWeight : full ? 1.0 : 0.5;
     for (int k = 0; k < 3; ++k)
     {
       const double mean = 0.5 * (lambda(F(f, HalfEdgeStart(k))) + lambda(F(f, HalfEdgeEnd(k))));

@@ -48,7 +48,8 @@ struct EdgeWeights
 /// @param lambda  >= 0, of each point (n) @param stitches  EnergyTriangles::NumberOfStitches
 /// An edge takes the mean lambda of its ends with uniform weights; with cotangent weights each
 /// triangle takes the mean of its corners, because (lambda_uv c_h) is not positive semidefinite on
-/// an obtuse triangle when lambda_uv differs between its edges.
+/// an obtuse triangle when lambda_uv differs between its edges. A stitch takes sqrt(3) lambda c_h
+/// with either.
 EdgeWeights ComputeEdgeWeights(const HalfEdgeScalars& cotangents, const Triangles& F,
   const Eigen::VectorXd& lambda, EdgeWeighting edges, SphericalWeighting spherical,
   int stitches = 0);

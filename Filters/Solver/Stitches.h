@@ -10,17 +10,18 @@
 
 namespace SphericalStyle
 {
-/// An edge between two points of different parts, u < v.
-struct Stitch
-{
-  int u;
-  int v;
-};
-
 /// c_h of a stitch: the half cotangent of an equilateral triangle, 1 / (2 sqrt(3)). Half cotangents
 /// have no unit and the energy of a sheet does not depend on its triangles, so this is the size of
 /// an edge of any mesh, also where its own triangles are slivers.
 constexpr double StitchWeight = 0.28867513459481287;
+
+/// An edge besides those of the triangles, u < v.
+struct Stitch
+{
+  int u;
+  int v;
+  double weight = StitchWeight; ///< c_h
+};
 
 /// Joins the parts of a model by its rest positions: few edges where parts touch or lie nearest,
 /// none through empty space where shorter ones do. With gap(A) the distance of part A to the part

@@ -276,8 +276,12 @@ EnergyTriangleOptions ShapeOf(const StyleOptions& options, const MeshTopology& s
 {
   EnergyTriangleOptions shape;
   shape.intrinsicDelaunay = options.edgeWeighting == EdgeWeighting::IntrinsicDelaunay;
-  shape.stitched =
-    options.componentCoupling == ComponentCoupling::Stitched && surface.GetNumberOfComponents() > 1;
+  if (options.componentCoupling == ComponentCoupling::Stitched)
+  {
+    shape.stitched = surface.GetNumberOfComponents() > 1;
+    shape.wallSize = options.detailSize;
+  }
+  shape.threads = options.threads;
   return shape;
 }
 }
@@ -565,7 +569,8 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   report.seconds.triangles = triangles.Seconds();
   report.edgeFlips = s.Summed().NumberOfFlips;
   report.negativeEdges = s.Summed().NumberOfNegativeEdges;
-  report.stitches = s.Summed().NumberOfStitches;
+  report.wallStitches = s.Summed().NumberOfWallStitches;
+  report.stitches = s.Summed().NumberOfStitches - report.wallStitches;
   const Stopwatch base;
   s.UpdateBase(options.detailSize);
   s.UpdateShares(options);

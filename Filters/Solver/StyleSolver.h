@@ -23,7 +23,9 @@ enum class Anchor
 /// What holds the parts of a model together.
 enum class ComponentCoupling
 {
-  Stitched,   ///< edges between near parts: the model is one component [stitch]
+  /// Edges between near parts: the model is one component [stitch]. With details kept also
+  /// edges between the two sides of thin walls [wall]
+  Stitched,
   Independent ///< nothing: each component has an anchor of its own (thesis)
 };
 
@@ -97,7 +99,8 @@ struct StyleReport
   int concaveHalfEdges = 0;        ///< flipped or zeroed
   int edgeFlips = -1;              ///< with IntrinsicDelaunay; -1 otherwise
   int negativeEdges = -1;          ///< see IntrinsicTriangulation; -1 otherwise
-  int stitches = 0;                ///< edges between parts
+  int stitches = 0;                ///< edges between parts [stitch]
+  int wallStitches = 0;            ///< edges through thin walls [wall]
   bool factored = false;           ///< whether this solve had to factor
   const char* linearSolver = "none";
   StageSeconds seconds;
@@ -113,7 +116,8 @@ struct StyleReport
 /// | lambda (uniform weights), edge weighting | matrix values, numeric factor, targets   |
 /// | lambda (cotangent weights)               | targets                                  |
 /// | fixed points                             | ordering, symbolic and numeric factor    |
-/// | detail size                              | base, targets                            |
+/// | detail size                              | base, targets; if parts are stitched     |
+/// |                                          | all but the surface's own topology       |
 /// | center ids, blend of several centers     | shares of the centers, targets           |
 /// | a, O, r, normals, targets, concave edges | targets                                  |
 class StyleSolver

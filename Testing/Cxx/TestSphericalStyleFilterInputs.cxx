@@ -202,13 +202,10 @@ void SeveralComponents(Checker& check)
   const Surface third = MakeSurface({ { 0, 0, 4 }, { 1, 0, 4 }, { 0, 1, 5 } }, { { 0, 1, 2 } });
   const Surface input = Together({ first, second, third });
   const vtkIdType n = first->GetNumberOfPoints();
-  const auto stitches = [](WatchedFilter& filter)
+  const auto stitches = [](WatchedFilter& filter, const char* name = "NumberOfStitches")
   {
     filter.Output();
-    return filter->GetOutputDataObject(1)
-      ->GetFieldData()
-      ->GetArray("NumberOfStitches")
-      ->GetComponent(0, 0);
+    return filter->GetOutputDataObject(1)->GetFieldData()->GetArray(name)->GetComponent(0, 0);
   };
   CheckCentroid(check, input, CheckRound(check, input), 0, 2 * n + 3); // of the whole
   WatchedFilter stitched(input);
@@ -221,6 +218,15 @@ void SeveralComponents(Checker& check)
   CheckCentroid(check, input, output, 0, n);
   CheckCentroid(check, input, output, n, 2 * n);
   CheckCentroid(check, input, output, 2 * n, 2 * n + 3);
+
+  // Thin walls have stitches when details are kept.
+  WatchedFilter plate(MakeEllipsoid({ 1.0, 1.0, 0.02 }));
+  check(stitches(plate, "NumberOfWallStitches") == 0.0, "without details there should be none");
+  plate->SetDetailSize(0.03);
+  check(stitches(plate, "NumberOfWallStitches") > 0.0, "a plate should have stitches through it");
+  check(stitches(plate) == 0.0, "a plate is one part");
+  plate->SetComponentCouplingToIndependent();
+  check(stitches(plate, "NumberOfWallStitches") == 0.0, "a plate alone should have none");
 
   WatchedFilter anchored(input);
   anchored->SetAnchorToLastPoint();

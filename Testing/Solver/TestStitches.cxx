@@ -8,9 +8,9 @@
 #include "FixedIterations.h"
 #include "Frame.h"
 #include "Meshes.h"
-#include "Stitches.h"
 #include "StyleSolver.h"
 #include "SurfaceMeasures.h"
+#include "WallStitches.h"
 
 #include <Eigen/Dense>
 
@@ -19,43 +19,13 @@
 
 using namespace SphericalStyle;
 using Eigen::Vector3d;
+using Meshes::Moved;
 using Meshes::Named;
+using Meshes::Together;
+using Meshes::Turned;
 
 namespace
 {
-/// The meshes one after the other.
-TriangleMesh Together(const std::vector<TriangleMesh>& meshes)
-{
-  Eigen::Index n = 0, m = 0;
-  for (const TriangleMesh& mesh : meshes)
-  {
-    n += mesh.P.rows();
-    m += mesh.F.rows();
-  }
-  TriangleMesh all = { Points(n, 3), Triangles(m, 3) };
-  n = m = 0;
-  for (const TriangleMesh& mesh : meshes)
-  {
-    all.P.middleRows(n, mesh.P.rows()) = mesh.P;
-    all.F.middleRows(m, mesh.F.rows()) = mesh.F.array() + static_cast<int>(n);
-    n += mesh.P.rows();
-    m += mesh.F.rows();
-  }
-  return all;
-}
-
-TriangleMesh Moved(TriangleMesh mesh, const Vector3d& move)
-{
-  mesh.P.rowwise() += move.transpose();
-  return mesh;
-}
-
-TriangleMesh Turned(TriangleMesh mesh, const Eigen::Matrix3d& rotation)
-{
-  mesh.P = (mesh.P * rotation.transpose()).eval();
-  return mesh;
-}
-
 TriangleMesh Triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c)
 {
   return Meshes::Make({ a, b, c }, { { 0, 1, 2 } });
@@ -373,41 +343,35 @@ void TestInvariance()
     check(Turned(mesh, random.Rotation()), "turned");
 
     const std::vector<int> place = random.Permutation(n);
-    TriangleMesh shuffled = mesh;
     std::vector<int> original(n);
     for (int i = 0; i < n; ++i)
     {
-      shuffled.P.row(place[i]) = mesh.P.row(i);
       original[place[i]] = i;
     }
-    shuffled.F = mesh.F.unaryExpr([&](int i) { return place[i]; });
+    const TriangleMesh shuffled = Meshes::Renumbered(mesh, place);
     CHECK(AsPairs(Find(shuffled), [&](int i) { return original[i]; }) == expected,
       named.name << ": other stitches with points in another order");
   }
 }
 
-EnergyTriangles Stitched(const TriangleMesh& mesh)
+EnergyTriangles Surface(const TriangleMesh& mesh)
 {
-  EnergyTriangles surface, all;
+  EnergyTriangles surface;
   surface.Topology = MeshTopology(mesh.F, static_cast<int>(mesh.P.rows()));
   surface.Cotangents = HalfEdgeCotangents(mesh.P, mesh.F);
-  EnergyTriangleOptions options;
-  options.stitched = true;
-  UpdateEnergyTriangles(mesh.P, surface, options, all);
-  return all;
+  return surface;
 }
 
 // A stitch is an edge in the cells of its two ends only: of the same weights as an edge between two
-// equilateral triangles, which lies in four cells, together.
-void TestEnergyOfAStitch()
+// equilateral triangles, which lies in four cells, together; or, through walls, of a multiple.
+void CheckEnergy(const TriangleMesh& mesh, const EnergyTriangleOptions& options,
+  const std::vector<Stitch>& stitches)
 {
   Meshes::Random random(9);
-  const TriangleMesh mesh = Together({ Triangle({ 0, 0, 0 }, { -1, 0.4, 0 }, { -1, -0.3, 0.1 }),
-    Triangle({ 0.1, 0, 0 }, { 1, 0.4, 0.2 }, { 1, -0.3, 0 }) });
-  const EnergyTriangles triangles = Stitched(mesh);
+  EnergyTriangles triangles;
+  UpdateEnergyTriangles(mesh.P, Surface(mesh), options, triangles);
   const Triangles& F = triangles.Topology.GetTriangles();
-  const std::vector<Stitch> stitches = Find(mesh);
-  CHECK(F.rows() == 2 + 2 * static_cast<int>(stitches.size()) &&
+  CHECK(!stitches.empty() && F.rows() == mesh.F.rows() + 2 * static_cast<int>(stitches.size()) &&
       triangles.NumberOfStitches == static_cast<int>(stitches.size()),
     "a stitch should be a pair of triangles");
   CHECK(triangles.Topology.GetNumberOfComponents() == 1, "stitched parts should be one component");
@@ -443,17 +407,16 @@ void TestEnergyOfAStitch()
         HalfEdgeDifferences(T, G), HalfEdgeVectors(0, 9), 1)
         .Evaluate(Q, R);
     };
-    EnergyTriangles surface;
-    surface.Topology = MeshTopology(mesh.F, n);
-    surface.Cotangents = HalfEdgeCotangents(mesh.P, mesh.F);
+    const EnergyTriangles surface = Surface(mesh);
     double rigid = 0.0, spherical = 0.0;
     for (const Stitch& s : stitches)
     {
       const auto difference = [&s](const Points& x) -> Vector3d { return x.row(s.u) - x.row(s.v); };
+      const double half = 0.5 * s.weight / StitchWeight;
       for (const int y : { s.u, s.v })
       {
-        rigid += 0.5 * style.c * (difference(Q) - R[y] * difference(mesh.P)).squaredNorm();
-        spherical += 0.5 * style.l * (difference(Q) - R[y] * difference(T)).squaredNorm();
+        rigid += half * style.c * (difference(Q) - R[y] * difference(mesh.P)).squaredNorm();
+        spherical += half * style.l * (difference(Q) - R[y] * difference(T)).squaredNorm();
       }
     }
     CHECK_NEAR(energy(triangles).rigid - energy(surface).rigid, rigid, 1e-12 * rigid,
@@ -461,6 +424,21 @@ void TestEnergyOfAStitch()
     CHECK_NEAR(energy(triangles).spherical - energy(surface).spherical, spherical,
       1e-12 * spherical, "spherical energy of stitches");
   }
+}
+
+void TestEnergyOfAStitch()
+{
+  const TriangleMesh parts = Together({ Triangle({ 0, 0, 0 }, { -1, 0.4, 0 }, { -1, -0.3, 0.1 }),
+    Triangle({ 0.1, 0, 0 }, { 1, 0.4, 0.2 }, { 1, -0.3, 0 }) });
+  EnergyTriangleOptions options;
+  options.stitched = true;
+  CheckEnergy(parts, options, Find(parts));
+
+  // A plate, some of whose stitches are edges of the mesh too.
+  const TriangleMesh plate = Meshes::Perturbed(Meshes::Box(2, { 1, 1, 0.02 }), 0.005, 2);
+  options = {};
+  options.wallSize = 0.05;
+  CheckEnergy(plate, options, FindWallStitches(plate.P, plate.F, options.wallSize, 1));
 }
 
 StyleOptions Coupled(StyleOptions options)
