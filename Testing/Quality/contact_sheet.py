@@ -14,7 +14,7 @@ CASES = [(detail, roundness) for detail in (0.0, 0.03) for roundness in (0.5, 5.
 SPIKE = 1.5  # of the larger of the radius and the distance before
 OPENING, OPENING_WITH_DETAILS = 0.01, 0.04  # above own, fractions of the diagonal
 EXCESS = 1.5  # degrees; even meshes have up to 1.1 with either weights, slivers with uniform ones 2.5 to 5.4
-UNEVENNESS = 1.35  # times own; koala has 1.33 with cotangent weights and 2.65, seen, with uniform ones
+UNEVENNESS = 1.35  # times own; koala has 1.27 with cotangent weights and 2.5, seen, with uniform ones
 COLUMNS = ["model", "points", "parts", "DetailSize", "Roundness", "seconds", "iterations", "spike",
            "opening", "own opening", "fold change", "own fold change", "fold excess", "unevenness",
            "own unevenness"]
