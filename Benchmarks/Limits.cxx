@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What this machine can do at most, to hold the stages against: bytes read a second from memory,
+// bytes read and written (a = b + s c, as STREAM's triad counts them), and floating-point
+// operations a second in registers, with the widest instructions that the processor has.
+#include "Parallel.h"
+#include "Stages.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdlib>
+#include <memory>
+#include <numeric>
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace Benchmarks
+{
+namespace
+{
+using SphericalStyle::ParallelFor;
+
+constexpr std::size_t HugePage = std::size_t(1) << 21;
+constexpr int Doubles = 1 << 26; // 512 MB: more than any cache
+
+struct Free
+{
+  void operator()(double* data) const { std::free(data); }
+};
+using Buffer = std::unique_ptr<double[], Free>;
+
+/// @param huge  ask for pages of 2 MB, which take fewer look-ups of addresses
+Buffer Allocate(int count, [[maybe_unused]] bool huge)
+{
+  const std::size_t size = count * sizeof(double);
+  Buffer buffer(static_cast<double*>(std::aligned_alloc(HugePage, size)));
+  if (!buffer)
+  {
+    throw std::bad_alloc();
+  }
+#ifdef __linux__
+  madvise(buffer.get(), size, huge ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
+#endif
+  std::fill_n(buffer.get(), count, 1.0);
+  return buffer;
+}
+
+/// Sixteen sums at once, so that additions do not wait for each other.
+double Sum(const double* x, int count)
+{
+  double sums[16] = {};
+  for (int i = 0; i < count; i += 16)
+  {
+    for (int k = 0; k < 16; ++k)
+    {
+      sums[k] += x[i + k];
+    }
+  }
+  return std::accumulate(sums, sums + 16, 0.0);
+}
+
+void Rate(benchmark::State& state, const char* name, double perIteration)
+{
+  state.counters[name] =
+    benchmark::Counter(perIteration, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void Read(benchmark::State& state, int threads, bool huge)
+{
+  const Buffer x = Allocate(Doubles, huge);
+  for (auto _ : state)
+  {
+    // ParallelFor gives small numbers of items to one thread: count in blocks of 1024.
+    ParallelFor(Doubles / 1024, threads,
+      [&](int begin, int end)
+      { benchmark::DoNotOptimize(Sum(x.get() + 1024 * begin, 1024 * (end - begin))); });
+  }
+  Rate(state, "bytes", double(Doubles) * sizeof(double));
+}
+
+void Triad(benchmark::State& state, int threads)
+{
+  constexpr int count = Doubles / 4;
+  const Buffer a = Allocate(count, true);
+  const Buffer b = Allocate(count, true);
+  const Buffer c = Allocate(count, true);
+  for (auto _ : state)
+  {
+    ParallelFor(count, threads,
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          a[i] = b[i] + 0.5 * c[i];
+        }
+      });
+    benchmark::ClobberMemory();
+  }
+  Rate(state, "bytes", 3.0 * count * sizeof(double));
+}
+
+constexpr int Chains = 12; // enough to hide the latency of a multiplication with addition
+constexpr int Rounds = 1 << 20;
+
+/// Rounds of x = x * a + b on each chain of vectors. @return something that depends on them all
+template <typename Vector>
+[[gnu::always_inline]] inline double MultiplyAdd()
+{
+  constexpr int width = sizeof(Vector) / sizeof(double);
+  volatile double seed = 0.3; // nothing of this is known before it runs
+  Vector x[Chains];
+  Vector a;
+  Vector b;
+  for (int lane = 0; lane < width; ++lane)
+  {
+    a[lane] = 1.0 - 0.001 * seed;
+    b[lane] = seed;
+    for (Vector& chain : x)
+    {
+      chain[lane] = seed * lane;
+    }
+  }
+  for (int round = 0; round < Rounds; ++round)
+  {
+#pragma GCC unroll 12
+    for (int chain = 0; chain < Chains; ++chain)
+    {
+      x[chain] = x[chain] * a + b;
+    }
+  }
+  Vector sum = x[0];
+  for (int chain = 1; chain < Chains; ++chain)
+  {
+    sum += x[chain];
+  }
+  double total = 0.0;
+  for (int lane = 0; lane < width; ++lane)
+  {
+    total += sum[lane];
+  }
+  return total;
+}
+
+typedef double Vector2 __attribute__((vector_size(16)));
+struct Kernel
+{
+  double (*run)();
+  int width; // doubles in a vector
+};
+
+#ifdef __x86_64__
+typedef double Vector4 __attribute__((vector_size(32)));
+typedef double Vector8 __attribute__((vector_size(64)));
+[[gnu::target("avx512f")]] double MultiplyAdd512()
+{
+  return MultiplyAdd<Vector8>();
+}
+[[gnu::target("avx2,fma")]] double MultiplyAdd256()
+{
+  return MultiplyAdd<Vector4>();
+}
+#endif
+
+double MultiplyAdd128()
+{
+  return MultiplyAdd<Vector2>();
+}
+
+Kernel WidestKernel()
+{
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx512f"))
+  {
+    return { MultiplyAdd512, 8 };
+  }
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+  {
+    return { MultiplyAdd256, 4 };
+  }
+#endif
+  return { MultiplyAdd128, 2 };
+}
+
+void Arithmetic(benchmark::State& state, int threads)
+{
+  const Kernel kernel = WidestKernel();
+  constexpr int perThread = 4096; // as many items as ParallelFor gives to a thread of its own
+  for (auto _ : state)
+  {
+    ParallelFor(
+      perThread * threads, threads, [&](int, int) { benchmark::DoNotOptimize(kernel.run()); });
+  }
+  Rate(state, "flops", 2.0 * kernel.width * Chains * double(Rounds) * threads);
+  state.SetLabel(std::to_string(64 * kernel.width) + "-bit vectors");
+}
+
+template <typename Body>
+void Register(const std::string& name, int threads, Body body)
+{
+  const std::string full = "Limit:" + name + "/threads:" + std::to_string(threads);
+  benchmark::RegisterBenchmark(full.c_str(), body)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+}
+
+void RegisterLimits(int threads)
+{
+  Register("Read", threads, [=](benchmark::State& state) { Read(state, threads, false); });
+  Register("ReadHugePages", threads, [=](benchmark::State& state) { Read(state, threads, true); });
+  Register("Triad", threads, [=](benchmark::State& state) { Triad(state, threads); });
+  Register("Arithmetic", threads, [=](benchmark::State& state) { Arithmetic(state, threads); });
+}
+} // namespace Benchmarks

@@ -1,0 +1,434 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The stages of the solver, each through its public header, on the default energy with DetailSize
+// 0.03, which has all terms. "bytes" is what the stage has to read and write at least: points,
+// triangles, one weight a half-edge, rotations and covariances, each once.
+#include "BaseSurface.h"
+#include "BenchmarkProgram.h"
+#include "Frame.h"
+#include "GlobalStep.h"
+#include "LocalStep.h"
+#include "Stages.h"
+#include "StyleSolver.h"
+#include "SurfaceMeasures.h"
+
+#include <benchmark/benchmark.h>
+
+#ifdef SPHERICALSTYLE_WITH_CHOLMOD
+#include <Eigen/CholmodSupport>
+#endif
+
+namespace Benchmarks
+{
+namespace
+{
+using namespace SphericalStyle;
+
+constexpr double Roundness = 0.5;
+constexpr double DetailSize = 0.03;
+
+/// Everything that any stage takes, of one mesh.
+struct StageData
+{
+  explicit StageData(const MeshKey& key)
+    : Mesh(MakeMesh(FamilyNamed(key.family), key.numberOfPoints))
+    , Topology(Mesh.F, static_cast<int>(Mesh.P.rows()))
+    , Lambda(Eigen::VectorXd::Constant(Mesh.P.rows(), Roundness))
+  {
+    this->Mesh.P = FrameOf(this->Mesh.P).Into(this->Mesh.P);
+    const Points& P = this->Mesh.P;
+    const Triangles& F = this->Mesh.F;
+    this->Cotangents = HalfEdgeCotangents(P, F);
+    this->Base = SmoothBase(P, this->Topology, this->Cotangents, DetailSize, PointAreas(P, F));
+    this->Ball = TargetSphere(this->Base, F, CenterMode::AreaCentroid, RadiusMode::EqualArea, {});
+    this->Energy = this->MakeEnergy(1);
+    const EdgeWeights& weights = this->Energy.GetWeights();
+    this->Global = GlobalStep(this->Topology, {});
+    this->Global.SetWeights(weights.c, 1.0 + weights.ratio);
+    this->Matrix = EdgeMatrix(this->Topology, this->Global.GetFixed());
+    // A state as the loop has it: turned cells and bent edges.
+    this->R.assign(P.rows(), Eigen::Matrix3d::Identity());
+    this->Q = P;
+    this->Iterate(this->Energy, this->Q, this->R, 2);
+  }
+
+  EdgeWeights Weights() const
+  {
+    return ComputeEdgeWeights(this->Cotangents, this->Mesh.F, this->Lambda, EdgeWeighting::HalfEdge,
+      SphericalWeighting::Cotangent);
+  }
+
+  HalfEdgeVectors Targets() const
+  {
+    std::vector<int> onCenter;
+    const Points d = CenterDirections(this->Base, this->Topology, this->Ball.center, onCenter);
+    HalfEdgeVectors tau = HalfEdgeVectors::Zero(this->Mesh.F.rows(), 9);
+    AddEdgeTargets(d, this->Ball.radius, {}, this->Mesh.F, tau);
+    return tau;
+  }
+
+  StyleEnergy MakeEnergy(int threads) const
+  {
+    HalfEdgeVectors e = HalfEdgeDifferences(this->Mesh.P, this->Mesh.F);
+    HalfEdgeVectors details = e - HalfEdgeDifferences(this->Base, this->Mesh.F);
+    return { this->Topology, this->Weights(), std::move(e), std::move(details), this->Targets(),
+      threads };
+  }
+
+  double Iterate(StyleEnergy& energy, Points& positions, Matrices& rotations, int times = 1)
+  {
+    double total = 0.0;
+    for (int k = 0; k < times; ++k)
+    {
+      energy.Covariances(positions, this->S);
+      FitRotations(this->S, rotations, energy.GetThreads());
+      energy.RightHandSide(rotations, this->B);
+      this->Global.Solve(this->B, positions);
+      total = energy.Evaluate(positions, rotations).Total();
+    }
+    return total;
+  }
+
+  double NumberOfPoints() const { return static_cast<double>(this->Mesh.P.rows()); }
+  /// Bytes of so many points, and of the triangles with a weight a half-edge.
+  double Bytes(int vectors, int matrices) const
+  {
+    const double triangle = 3 * sizeof(int) + 3 * sizeof(double);
+    return this->NumberOfPoints() * sizeof(double) * (3 * vectors + 9 * matrices) +
+      this->Mesh.F.rows() * triangle;
+  }
+
+  TriangleMesh Mesh; // in its frame
+  MeshTopology Topology;
+  Eigen::VectorXd Lambda;
+  HalfEdgeScalars Cotangents;
+  Points Base;
+  Sphere Ball;
+  StyleEnergy Energy;
+  GlobalStep Global;
+  EdgeMatrix Matrix;
+  Points Q;
+  Matrices R;
+  Matrices S;
+  Points B;
+};
+
+/// The data of the mesh that was asked for last: benchmarks run mesh by mesh, and two large ones do
+/// not fit everywhere.
+StageData& DataOf(const MeshKey& key)
+{
+  static std::unique_ptr<StageData> data;
+  static MeshKey current = { "", 0 };
+  if (!data || !(current == key))
+  {
+    data.reset();
+    data = std::make_unique<StageData>(key);
+    current = key;
+  }
+  return *data;
+}
+
+template <typename Dense>
+std::string HashOf(const Dense& x)
+{
+  return Hash(x.data(), static_cast<std::size_t>(x.size()) * sizeof(*x.data()));
+}
+
+/// What every stage reports beside its time. @param bytes  0 where no bound is known
+void Report(benchmark::State& state, const StageData& data, double bytes, const std::string& hash)
+{
+  using benchmark::Counter;
+  state.counters["points"] = data.NumberOfPoints();
+  state.counters["s_per_point"] =
+    Counter(data.NumberOfPoints(), Counter::kIsIterationInvariantRate | Counter::kInvert);
+  if (bytes > 0.0)
+  {
+    state.counters["bytes"] = Counter(bytes, Counter::kIsIterationInvariantRate);
+  }
+  state.SetLabel(hash);
+}
+
+/// Entries of the Cholesky factor of A in the order that the solver takes, and what factoring
+/// costs; zeros where CHOLMOD cannot be asked.
+struct FactorCost
+{
+  double entries = 0.0;
+  double operations = 0.0;
+};
+
+FactorCost CostOf([[maybe_unused]] const SparseCholesky::Matrix& A)
+{
+  FactorCost cost;
+#ifdef SPHERICALSTYLE_WITH_CHOLMOD
+  cholmod_common common;
+  cholmod_start(&common);
+  common.nmethods = 1;
+  common.method[0].ordering = CHOLMOD_AMD;
+  cholmod_sparse view = Eigen::viewAsCholmod(A.selfadjointView<Eigen::Lower>());
+  cholmod_factor* factor = cholmod_analyze(&view, &common);
+  cost.entries = common.lnz;
+  cost.operations = common.fl;
+  cholmod_free_factor(&factor, &common);
+  cholmod_finish(&common);
+#endif
+  return cost;
+}
+
+template <typename Body>
+void Register(const std::string& stage, const MeshKey& key, int threads, Body body)
+{
+  benchmark::RegisterBenchmark(NameOf(stage, key, threads).c_str(),
+    [key, threads, body](benchmark::State& state) { body(state, DataOf(key), threads); })
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+}
+
+//------------------------------------------------------------------------- stages of the set-up
+void Topology(benchmark::State& state, StageData& data, int)
+{
+  MeshTopology result;
+  for (auto _ : state)
+  {
+    result = MeshTopology(data.Mesh.F, static_cast<int>(data.Mesh.P.rows()));
+  }
+  const auto& corners = result.GetCorners();
+  Report(state, data, 0.0, Hash(corners.data(), corners.size() * sizeof(int)));
+}
+
+void Cotangents(benchmark::State& state, StageData& data, int)
+{
+  HalfEdgeScalars c;
+  for (auto _ : state)
+  {
+    c = HalfEdgeCotangents(data.Mesh.P, data.Mesh.F);
+    benchmark::ClobberMemory();
+  }
+  Report(state, data, data.Bytes(1, 0), HashOf(c));
+}
+
+void Weights(benchmark::State& state, StageData& data, int)
+{
+  EdgeWeights weights;
+  for (auto _ : state)
+  {
+    weights = data.Weights();
+    benchmark::ClobberMemory();
+  }
+  Report(state, data, 0.0, HashOf(weights.l));
+}
+
+void Base(benchmark::State& state, StageData& data, int)
+{
+  const Eigen::VectorXd areas = PointAreas(data.Mesh.P, data.Mesh.F);
+  Points base;
+  for (auto _ : state)
+  {
+    base = SmoothBase(data.Mesh.P, data.Topology, data.Cotangents, DetailSize, areas);
+  }
+  Report(state, data, 0.0, HashOf(base));
+}
+
+void Targets(benchmark::State& state, StageData& data, int)
+{
+  HalfEdgeVectors tau;
+  for (auto _ : state)
+  {
+    tau = data.Targets();
+    benchmark::ClobberMemory();
+  }
+  Report(state, data, 0.0, HashOf(tau));
+}
+
+void Matrix(benchmark::State& state, StageData& data, int)
+{
+  std::string hash;
+  for (auto _ : state)
+  {
+    EdgeMatrix matrix(data.Topology, data.Global.GetFixed());
+    const SparseCholesky::Matrix& A = matrix.Assemble(data.Cotangents);
+    state.PauseTiming();
+    hash = Hash(A.valuePtr(), A.nonZeros() * sizeof(double));
+    state.ResumeTiming();
+  }
+  Report(state, data, 0.0, hash);
+}
+
+void Ordering(benchmark::State& state, StageData& data, int)
+{
+  const SparseCholesky::Matrix& A = data.Matrix.Assemble(data.Cotangents);
+  for (auto _ : state)
+  {
+    SparseCholesky factor;
+    factor.Analyze(A);
+  }
+  Report(state, data, 0.0, "");
+}
+
+/// b for the free rows of the global step.
+SparseCholesky::RightHandSides RightHandSides(const StageData& data)
+{
+  return data.B.topRows(data.Matrix.GetNumberOfRows());
+}
+
+void Factorization(benchmark::State& state, StageData& data, int)
+{
+  const SparseCholesky::Matrix& A = data.Matrix.Assemble(data.Cotangents);
+  SparseCholesky factor;
+  factor.Analyze(A);
+  for (auto _ : state)
+  {
+    factor.Factor(A);
+  }
+  SparseCholesky::RightHandSides X = RightHandSides(data);
+  factor.Solve(X);
+  Report(state, data, 0.0, HashOf(X));
+  const FactorCost cost = CostOf(A);
+  state.counters["factor_entries"] = cost.entries;
+  state.counters["flops"] =
+    benchmark::Counter(cost.operations, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void Solve(benchmark::State& state, StageData& data, int)
+{
+  const SparseCholesky::Matrix& A = data.Matrix.Assemble(data.Cotangents);
+  SparseCholesky factor;
+  factor.Analyze(A);
+  factor.Factor(A);
+  SparseCholesky::RightHandSides X;
+  for (auto _ : state)
+  {
+    state.PauseTiming();
+    X = RightHandSides(data);
+    state.ResumeTiming();
+    factor.Solve(X);
+  }
+  const FactorCost cost = CostOf(A);
+  Report(state, data, 2.0 * sizeof(double) * cost.entries, HashOf(X));
+  state.counters["flops"] =
+    benchmark::Counter(12.0 * cost.entries, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+//--------------------------------------------------------------------------- stages of the loop
+void Covariances(benchmark::State& state, StageData& data, int threads)
+{
+  StyleEnergy energy = data.MakeEnergy(threads);
+  Matrices S;
+  for (auto _ : state)
+  {
+    energy.Covariances(data.Q, S);
+    benchmark::ClobberMemory();
+  }
+  // P, B, t, P'; S
+  Report(state, data, data.Bytes(4, 1), Hash(S.data(), S.size() * sizeof(S[0])));
+}
+
+void Rotations(benchmark::State& state, StageData& data, int threads)
+{
+  data.Energy.Covariances(data.Q, data.S);
+  Matrices R = data.R;
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(FitRotations(data.S, R, threads));
+  }
+  const double bytes = 3.0 * sizeof(Eigen::Matrix3d) * data.NumberOfPoints(); // S, R old and new
+  Report(state, data, bytes, Hash(R.data(), R.size() * sizeof(R[0])));
+}
+
+void RightHandSide(benchmark::State& state, StageData& data, int threads)
+{
+  StyleEnergy energy = data.MakeEnergy(threads);
+  Points b;
+  for (auto _ : state)
+  {
+    energy.RightHandSide(data.R, b);
+    benchmark::ClobberMemory();
+  }
+  // P, B, t; R; b
+  Report(state, data, data.Bytes(4, 1), HashOf(b));
+}
+
+void Value(benchmark::State& state, StageData& data, int threads)
+{
+  const StyleEnergy energy = data.MakeEnergy(threads);
+  double total = 0.0;
+  for (auto _ : state)
+  {
+    total = energy.Evaluate(data.Q, data.R).Total();
+    benchmark::DoNotOptimize(total);
+  }
+  // P, B, t, P'; R
+  Report(state, data, data.Bytes(4, 1), Hash(&total, sizeof total));
+}
+
+void Iteration(benchmark::State& state, StageData& data, int threads)
+{
+  StyleEnergy energy = data.MakeEnergy(threads);
+  Points Q = data.Q;
+  Matrices R = data.R;
+  for (auto _ : state)
+  {
+    data.Iterate(energy, Q, R);
+  }
+  Q = data.Q; // the number of iterations is not the same in every run
+  R = data.R;
+  data.Iterate(energy, Q, R, 2);
+  Report(state, data, 0.0, HashOf(Q));
+}
+
+//------------------------------------------------------------------------------ the whole solver
+void Whole(benchmark::State& state, const StageData& data, const StyleOptions& options)
+{
+  Points Q;
+  int iterations = 0;
+  for (auto _ : state)
+  {
+    StyleSolver solver;
+    solver.SetMesh(data.Mesh);
+    iterations = solver.Solve(options).loop.iterations;
+    state.PauseTiming();
+    Q = solver.GetPositions();
+    state.ResumeTiming();
+  }
+  Report(state, data, 0.0, HashOf(Q));
+  state.counters["iterations"] = iterations;
+}
+
+StyleOptions Options(double detailSize, SphericalWeighting weighting)
+{
+  StyleOptions options;
+  options.lambda = Roundness;
+  options.centerMode = CenterMode::AreaCentroid;
+  options.detailSize = detailSize;
+  options.sphericalWeighting = weighting;
+  return options;
+}
+}
+
+void RegisterSolverStages(const MeshKey& key, int threads)
+{
+  using Body = void (*)(benchmark::State&, StageData&, int);
+  const std::pair<const char*, Body> stages[] = { { "Topology", Topology },
+    { "Cotangents", Cotangents }, { "Weights", Weights }, { "Base", Base }, { "Targets", Targets },
+    { "Matrix", Matrix }, { "Ordering", Ordering }, { "Factorization", Factorization },
+    { "Covariances", Covariances }, { "Rotations", Rotations }, { "RightHandSide", RightHandSide },
+    { "Solve", Solve }, { "Energy", Value }, { "Iteration", Iteration } };
+  for (const auto& [name, body] : stages)
+  {
+    Register(name, key, threads, body);
+  }
+  const std::pair<const char*, StyleOptions> wholes[] = {
+    { "Solver:default", Options(0.0, SphericalWeighting::Cotangent) },
+    { "Solver:details", Options(DetailSize, SphericalWeighting::Cotangent) },
+    { "Solver:uniform", Options(0.0, SphericalWeighting::Uniform) }
+  };
+  for (const auto& [name, given] : wholes)
+  {
+    StyleOptions options = given;
+    options.threads = threads;
+    Register(name, key, threads,
+      [options](benchmark::State& state, const StageData& data, int)
+      { Whole(state, data, options); });
+  }
+}
+} // namespace Benchmarks
