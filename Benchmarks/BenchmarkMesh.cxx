@@ -149,13 +149,20 @@ Vector3d Slide(const Vector3d& d)
   return { std::sin(slid) * std::cos(azimuth), std::sin(slid) * std::sin(azimuth), std::cos(slid) };
 }
 
-/// The point of the bumpy ellipsoid in a direction.
+/// The point of the surface in a direction: a bumpy ellipsoid with a head and four limbs.
 Vector3d OnSurface(const Vector3d& d)
 {
-  const double bumps = 1.0 + 0.2 * std::sin(3.0 * d.x() + 1.0) * std::sin(3.0 * d.y() + 2.0) +
-    0.08 * std::sin(5.0 * d.z() + 2.0 * d.x()) +
+  static const Vector3d limbs[] = { { 0.0, 0.3, 1.0 }, { 0.9, 0.6, 0.3 }, { -0.9, 0.6, 0.3 },
+    { 0.5, 0.3, -0.9 }, { -0.5, 0.3, -0.9 } };
+  constexpr double Length = 0.7;
+  constexpr double Width = 0.45; // radians
+  double radius = 1.0 + 0.1 * std::sin(3.0 * d.x() + 1.0) * std::sin(3.0 * d.y() + 2.0) +
     0.02 * std::sin(11.0 * d.x()) * std::sin(13.0 * d.y() + 1.0);
-  return bumps * Vector3d(1.15 * d.x(), d.y(), 0.9 * d.z());
+  for (const Vector3d& limb : limbs)
+  {
+    radius += Length * std::exp((d.dot(limb.normalized()) - 1.0) / (Width * Width / 2.0));
+  }
+  return radius * Vector3d(1.1 * d.x(), d.y(), 0.9 * d.z());
 }
 
 constexpr char Magic[] = "SSMESH1\n";

@@ -11,7 +11,8 @@
 
 namespace Benchmarks
 {
-/// Two triangulations of one bumpy ellipsoid, with the same triangles on the same number of points.
+/// Two triangulations of one shape, a bumpy body with a head and four limbs, with the same
+/// triangles on the same number of points.
 enum class Family
 {
   Even,   ///< angles of about 20 to 120 degrees, points a little off a regular pattern
