@@ -6,8 +6,11 @@
 #ifndef SphericalStyle_BenchmarkProgram_h
 #define SphericalStyle_BenchmarkProgram_h
 
+#include "Stopwatch.h"
+
 #include <cstdint>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <fstream>
 #include <iomanip>
@@ -45,12 +48,31 @@ public:
   }
 
   std::size_t Size() const { return this->Positional.size(); }
-  const std::string& At(std::size_t k) const { return this->Positional.at(k); }
+  const std::string& At(std::size_t k) const
+  {
+    if (k >= this->Positional.size())
+    {
+      throw std::invalid_argument("too few arguments");
+    }
+    return this->Positional[k];
+  }
   const std::string& Text(const std::string& name) const { return this->Options.at(name); }
-  double Number(const std::string& name) const { return std::stod(this->Options.at(name)); }
-  int Integer(const std::string& name) const { return std::stoi(this->Options.at(name)); }
+  double Number(const std::string& name) const { return this->Value<double>(name); }
+  int Integer(const std::string& name) const { return this->Value<int>(name); }
 
 private:
+  template <typename T>
+  T Value(const std::string& name) const
+  {
+    std::istringstream text(this->Options.at(name));
+    T value{};
+    if (!(text >> value) || !(text >> std::ws).eof())
+    {
+      throw std::invalid_argument(name + ": not a number: " + text.str());
+    }
+    return value;
+  }
+
   std::vector<std::string> Positional;
   std::map<std::string, std::string> Options;
 };
@@ -92,6 +114,22 @@ private:
   }
 
   std::string Text;
+};
+
+/// Wall time and processor time of all threads since construction, seconds. They differ where other
+/// programs keep the machine busy.
+class Timer
+{
+public:
+  double Seconds() const { return this->Wall.Seconds(); }
+  double ProcessorSeconds() const
+  {
+    return static_cast<double>(std::clock() - this->Start) / CLOCKS_PER_SEC;
+  }
+
+private:
+  SphericalStyle::Stopwatch Wall;
+  std::clock_t Start = std::clock();
 };
 
 /// Largest memory of this process so far, MB. getrusage would count the process that started it.

@@ -4,7 +4,6 @@
 // What a user feels who drags the centre, or the slider of Roundness: updates a second of the real
 // filter, and how far from the minimum each one is.
 #include "BenchmarkFilter.h"
-#include "Stopwatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +62,7 @@ void Drag(const Benchmarks::Arguments& arguments, vtkPolyData* surface, const st
   std::vector<double> gaps;
   for (int k = 1; k <= arguments.Integer("--updates"); ++k)
   {
-    const SphericalStyle::Stopwatch watch;
+    const Benchmarks::Timer watch;
     set(filter, k);
     filter->Update();
     seconds.push_back(watch.Seconds());

@@ -13,6 +13,7 @@ import csv
 import json
 import math
 import os
+import statistics
 import sys
 import tempfile
 
@@ -180,18 +181,18 @@ def table(summary, family, points):
         if (a_family, a_points) != (family, points):
             continue
         if "error" in r:
-            rows.append([METHODS[method][0], "fails: " + r["error"]] + [""] * 10)
+            rows.append([METHODS[method][0], "fails: " + r["error"]] + [""] * 11)
             continue
         iterating = r["iterations"] > 0
         rows.append([
             METHODS[method][0], cell(r["setup_seconds"]),
             cell(1e3 * r["seconds_per_iteration"]) if iterating else "-",
-            cell(r["iterations"]), cell(r["total_seconds"]),
+            cell(r["iterations"]), cell(r["total_seconds"]), cell(r["processor_seconds"]),
             *(cell(ratio(summary.get((family, points, peer)), r))
               for peer in ("cgal", "cgal-cholmod", "open3d")),
             cell(r["peak_megabytes"]), cell(r.get("gap")), cell(r.get("iterations_to_1e-4"))])
     return support.markdown(
-        ["method", "set-up s", "ms an iteration", "iterations", "total s", "CGAL takes",
+        ["method", "set-up s", "ms an iteration", "iterations", "total s", "processor s", "CGAL takes",
          "CGAL with CHOLMOD takes", "Open3D takes", "peak MB", "gap", "to 1e-4"], rows)
 
 
@@ -227,11 +228,21 @@ def overview(summary):
     return support.markdown(["mesh, points", *(METHODS[method][0] for method in methods)], rows)
 
 
-def report(options, summary):
+def busy(options, results):
+    """What share of its time a run had a processor, at the median; says so where it had to wait."""
+    shares = [r["processor_seconds"] / r["total_seconds"] for r in results if "error" not in r]
+    if options.threads > 1 or not shares or statistics.median(shares) > 0.95:
+        return ""
+    return (f"**The machine was busy with something else: runs had a processor for "
+            f"{100 * statistics.median(shares):.0f} % of their time. Ratios hold, seconds do not.**\n")
+
+
+def report(options, results):
+    summary = summarize(results)
     text = ["# Comparison with peers\n",
             f"{support.machine(options.threads)}; medians of {options.repetitions} run(s) of each "
             f"method, in turn; of one where it takes over {options.once_above:g} s. Peers: {ITERATIONS} iterations, test of convergence off.\n",
-            overview(summary)]
+            busy(options, results), overview(summary)]
     for family, points in dict.fromkeys((f, p) for f, p, _ in summary):
         text.append(f"## {family}, {points} points\n")
         text.append(table(summary, family, points))
@@ -280,7 +291,7 @@ def write(options, results):
         writer.writeheader()
         writer.writerows(results)
     summary = summarize(results)
-    text = report(options, summary)
+    text = report(options, results)
     with open(inside("comparison.md"), "w", encoding="utf-8") as file:
         file.write(text)
     plot(summary, inside("comparison.png"))

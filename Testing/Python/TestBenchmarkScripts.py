@@ -15,7 +15,7 @@ import report_goals
 
 
 def record(method, points, seconds, megabytes=100.0, family="even", **more):
-    return {"family": family, "points": points, "method": method, "total_seconds": seconds,
+    return {"family": family, "points": points, "method": method, "total_seconds": seconds, "processor_seconds": 0.5 * seconds,
             "setup_seconds": seconds / 4, "seconds_per_iteration": seconds / 40, "iterations": 30,
             "start_megabytes": 10.0, "peak_megabytes": megabytes, **more}
 
@@ -64,10 +64,17 @@ class Comparison(unittest.TestCase):
             {"family": "even", "points": 100, "method": "open3d", "error": "not finite"}])
         ours, cgal, open3d = compare_peers.table(summary, "even", 100).splitlines()[2:]
         cells = [cell.strip() for cell in ours.split("|")]
-        self.assertEqual(cells[5:8], ["0.2", "20", "-"])  # total s, CGAL takes, with CHOLMOD
-        self.assertEqual(cells[10], "2.0e-05")
+        self.assertEqual(cells[5:9], ["0.2", "0.1", "20", "-"])  # total s, processor s, CGAL takes, with CHOLMOD
+        self.assertEqual(cells[11], "2.0e-05")
         self.assertIn("| 1 |", cgal)
         self.assertIn("fails: not finite", open3d)
+
+    def test_a_busy_machine_is_told(self):
+        runs = [record("uniform", 100, 1.0) for _ in range(3)]
+        self.assertIn("50 % of their time", compare_peers.busy(compare_peers.parse([]), runs))
+        self.assertEqual(compare_peers.busy(compare_peers.parse(["--threads", "2"]), runs), "")
+        idle = [{**r, "processor_seconds": 0.99} for r in runs]
+        self.assertEqual(compare_peers.busy(compare_peers.parse([]), idle), "")
 
     def test_growth_of_memory_is_without_the_empty_process(self):
         summary = compare_peers.summarize(
