@@ -253,6 +253,7 @@ def report(options, results, dragged, stages):
             + memory_and_iterations(summary))
     return "\n".join([
         "# Goals\n", f"{support.machine(options.threads)}. Each cell: measured, goal, verdict.\n",
+        compare_peers.busy(options, results),
         support.markdown(["goal", *(f"{size // 1000}k" for size in SIZES)],
                          [r for r in rows if set(r[1:]) != {"-"}]),
         "## Growth between 35k and 949k points: exponent of the number of points\n",
