@@ -123,7 +123,8 @@ class Programs(unittest.TestCase):
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 2 * 2 * 2 * len(options.methods))
         for row in rows:
-            for name in ("setup_seconds", "total_seconds", "peak_megabytes"):
+            # Open3D's set-up is a difference of two runs: anything on a busy machine.
+            for name in ("total_seconds", "processor_seconds", "peak_megabytes"):
                 self.assertGreater(float(row[name]), 0.0, row)
             self.assertGreater(float(row["peak_megabytes"]), float(row["start_megabytes"]))
             if row["method"] in compare_peers.ITERATING:
