@@ -81,10 +81,7 @@ private:
 class Record
 {
 public:
-  Record& Add(const std::string& name, double value)
-  {
-    return this->AddField(name, this->Format(value));
-  }
+  Record& Add(const std::string& name, double value) { return this->AddField(name, Format(value)); }
   Record& Add(const std::string& name, const std::string& value)
   {
     return this->AddField(name, '"' + value + '"');
@@ -94,7 +91,7 @@ public:
     std::string text;
     for (const double value : values)
     {
-      text += (text.empty() ? "" : ", ") + this->Format(value);
+      text += (text.empty() ? "" : ", ") + Format(value);
     }
     return this->AddField(name, "[" + text + "]");
   }

@@ -53,7 +53,7 @@ void Report(benchmark::State& state, vtkSphericalStyleFilter* filter)
 void FirstResult(benchmark::State& state, const MeshKey& key, const Variant& variant, int threads)
 {
   Filter filter;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     state.PauseTiming(); // the end of the last one is not waited for
     filter = MakeFilter(key, variant, threads);
@@ -75,7 +75,7 @@ void AfterChange(
   filter->SetCenterModeToCustom();
   filter->Update();
   bool odd = false;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     odd = !odd;
     change(filter, center, odd);

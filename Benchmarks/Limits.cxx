@@ -70,7 +70,7 @@ void Rate(benchmark::State& state, const char* name, double perIteration)
 void Read(benchmark::State& state, int threads, bool huge)
 {
   const Buffer x = Allocate(Doubles, huge);
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     // ParallelFor gives small numbers of items to one thread: count in blocks of 1024.
     ParallelFor(Doubles / 1024, threads,
@@ -86,7 +86,7 @@ void Triad(benchmark::State& state, int threads)
   const Buffer a = Allocate(count, true);
   const Buffer b = Allocate(count, true);
   const Buffer c = Allocate(count, true);
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     ParallelFor(count, threads,
       [&](int begin, int end)
@@ -125,9 +125,9 @@ template <typename Vector>
   for (int round = 0; round < Rounds; ++round)
   {
 #pragma GCC unroll 12
-    for (int chain = 0; chain < Chains; ++chain)
+    for (Vector& chain : x)
     {
-      x[chain] = x[chain] * a + b;
+      chain = chain * a + b;
     }
   }
   Vector sum = x[0];
@@ -143,7 +143,7 @@ template <typename Vector>
   return total;
 }
 
-typedef double Vector2 __attribute__((vector_size(16)));
+using Vector2 [[gnu::vector_size(16)]] = double;
 struct Kernel
 {
   double (*run)();
@@ -151,8 +151,8 @@ struct Kernel
 };
 
 #ifdef __x86_64__
-typedef double Vector4 __attribute__((vector_size(32)));
-typedef double Vector8 __attribute__((vector_size(64)));
+using Vector4 [[gnu::vector_size(32)]] = double;
+using Vector8 [[gnu::vector_size(64)]] = double;
 [[gnu::target("avx512f")]] double MultiplyAdd512()
 {
   return MultiplyAdd<Vector8>();
@@ -187,7 +187,7 @@ void Arithmetic(benchmark::State& state, int threads)
 {
   const Kernel kernel = WidestKernel();
   constexpr int perThread = 4096; // as many items as ParallelFor gives to a thread of its own
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     ParallelFor(
       perThread * threads, threads, [&](int, int) { benchmark::DoNotOptimize(kernel.run()); });

@@ -188,7 +188,7 @@ void Register(const std::string& stage, const MeshKey& key, int threads, Body bo
 void Topology(benchmark::State& state, StageData& data, int)
 {
   MeshTopology result;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     result = MeshTopology(data.Mesh.F, static_cast<int>(data.Mesh.P.rows()));
   }
@@ -199,7 +199,7 @@ void Topology(benchmark::State& state, StageData& data, int)
 void Cotangents(benchmark::State& state, StageData& data, int)
 {
   HalfEdgeScalars c;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     c = HalfEdgeCotangents(data.Mesh.P, data.Mesh.F);
     benchmark::ClobberMemory();
@@ -210,7 +210,7 @@ void Cotangents(benchmark::State& state, StageData& data, int)
 void Weights(benchmark::State& state, StageData& data, int)
 {
   EdgeWeights weights;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     weights = data.Weights();
     benchmark::ClobberMemory();
@@ -222,7 +222,7 @@ void Base(benchmark::State& state, StageData& data, int)
 {
   const Eigen::VectorXd areas = PointAreas(data.Mesh.P, data.Mesh.F);
   Points base;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     base = SmoothBase(data.Mesh.P, data.Topology, data.Cotangents, DetailSize, areas);
   }
@@ -232,7 +232,7 @@ void Base(benchmark::State& state, StageData& data, int)
 void Targets(benchmark::State& state, StageData& data, int)
 {
   HalfEdgeVectors tau;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     tau = data.Targets();
     benchmark::ClobberMemory();
@@ -243,7 +243,7 @@ void Targets(benchmark::State& state, StageData& data, int)
 void Matrix(benchmark::State& state, StageData& data, int)
 {
   std::string hash;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     EdgeMatrix matrix(data.Topology, data.Global.GetFixed());
     const SparseCholesky::Matrix& A = matrix.Assemble(data.Cotangents);
@@ -257,7 +257,7 @@ void Matrix(benchmark::State& state, StageData& data, int)
 void Ordering(benchmark::State& state, StageData& data, int)
 {
   const SparseCholesky::Matrix& A = data.Matrix.Assemble(data.Cotangents);
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     SparseCholesky factor;
     factor.Analyze(A);
@@ -276,7 +276,7 @@ void Factorization(benchmark::State& state, StageData& data, int)
   const SparseCholesky::Matrix& A = data.Matrix.Assemble(data.Cotangents);
   SparseCholesky factor;
   factor.Analyze(A);
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     factor.Factor(A);
   }
@@ -296,7 +296,7 @@ void Solve(benchmark::State& state, StageData& data, int)
   factor.Analyze(A);
   factor.Factor(A);
   SparseCholesky::RightHandSides X;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     state.PauseTiming();
     X = RightHandSides(data);
@@ -314,7 +314,7 @@ void Covariances(benchmark::State& state, StageData& data, int threads)
 {
   StyleEnergy energy = data.MakeEnergy(threads);
   Matrices S;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     energy.Covariances(data.Q, S);
     benchmark::ClobberMemory();
@@ -327,7 +327,7 @@ void Rotations(benchmark::State& state, StageData& data, int threads)
 {
   data.Energy.Covariances(data.Q, data.S);
   Matrices R = data.R;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     benchmark::DoNotOptimize(FitRotations(data.S, R, threads));
   }
@@ -339,7 +339,7 @@ void RightHandSide(benchmark::State& state, StageData& data, int threads)
 {
   StyleEnergy energy = data.MakeEnergy(threads);
   Points b;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     energy.RightHandSide(data.R, b);
     benchmark::ClobberMemory();
@@ -352,7 +352,7 @@ void Value(benchmark::State& state, StageData& data, int threads)
 {
   const StyleEnergy energy = data.MakeEnergy(threads);
   double total = 0.0;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     total = energy.Evaluate(data.Q, data.R).Total();
     benchmark::DoNotOptimize(total);
@@ -366,7 +366,7 @@ void Iteration(benchmark::State& state, StageData& data, int threads)
   StyleEnergy energy = data.MakeEnergy(threads);
   Points Q = data.Q;
   Matrices R = data.R;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     data.Iterate(energy, Q, R);
   }
@@ -381,7 +381,7 @@ void Whole(benchmark::State& state, const StageData& data, const StyleOptions& o
 {
   Points Q;
   int iterations = 0;
-  for (auto _ : state)
+  while (state.KeepRunning())
   {
     StyleSolver solver;
     solver.SetMesh(data.Mesh);
