@@ -154,6 +154,7 @@ def measure(options):
             if not options.no_reference:
                 measure_gaps(options, mesh, runs)
             results += runs
+            write(options, results)  # so that a long comparison can be looked at, or ended, early
             os.remove(mesh)
     return results
 
@@ -234,14 +235,15 @@ def busy(options, results):
     if options.threads > 1 or not shares or statistics.median(shares) > 0.95:
         return ""
     return (f"**The machine was busy with something else: runs had a processor for "
-            f"{100 * statistics.median(shares):.0f} % of their time. Ratios hold, seconds do not.**\n")
+            f"{100 * statistics.median(shares):.0f} % of their time. Ratios hold roughly, seconds do not.**\n")
 
 
 def report(options, results):
     summary = summarize(results)
     text = ["# Comparison with peers\n",
             f"{support.machine(options.threads)}; medians of {options.repetitions} run(s) of each "
-            f"method, in turn; of one where it takes over {options.once_above:g} s. Peers: {ITERATIONS} iterations, test of convergence off.\n",
+            f"method, in turn; of one where it takes over {options.once_above:g} s. Peers: "
+            f"{ITERATIONS} iterations, test of convergence off.\n",
             busy(options, results), overview(summary)]
     for family, points in dict.fromkeys((f, p) for f, p, _ in summary):
         text.append(f"## {family}, {points} points\n")

@@ -15,7 +15,8 @@ import report_goals
 
 
 def record(method, points, seconds, megabytes=100.0, family="even", **more):
-    return {"family": family, "points": points, "method": method, "total_seconds": seconds, "processor_seconds": 0.5 * seconds,
+    return {"family": family, "points": points, "method": method, "total_seconds": seconds,
+            "processor_seconds": 0.5 * seconds,
             "setup_seconds": seconds / 4, "seconds_per_iteration": seconds / 40, "iterations": 30,
             "start_megabytes": 10.0, "peak_megabytes": megabytes, **more}
 
