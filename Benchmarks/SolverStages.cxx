@@ -34,6 +34,7 @@ struct StageData
   explicit StageData(const MeshKey& key)
     : Mesh(MakeMesh(FamilyNamed(key.family), key.numberOfPoints))
     , Topology(Mesh.F, static_cast<int>(Mesh.P.rows()))
+    , Cells(Topology)
     , Lambda(Eigen::VectorXd::Constant(Mesh.P.rows(), Roundness))
   {
     this->Mesh.P = FrameOf(this->Mesh.P).Into(this->Mesh.P);
@@ -59,12 +60,12 @@ struct StageData
       SphericalWeighting::Cotangent);
   }
 
-  HalfEdgeVectors Targets() const
+  HalfEdgeVectors Targets(int threads) const
   {
     std::vector<int> onCenter;
     const Points d = CenterDirections(this->Base, this->Topology, this->Ball.center, onCenter);
-    HalfEdgeVectors tau = HalfEdgeVectors::Zero(this->Mesh.F.rows(), 9);
-    AddEdgeTargets(d, this->Ball.radius, {}, this->Mesh.F, tau);
+    HalfEdgeVectors tau;
+    SetEdgeTargets(d, this->Ball.radius, this->Mesh.F, threads, tau);
     return tau;
   }
 
@@ -72,17 +73,18 @@ struct StageData
   {
     HalfEdgeVectors e = HalfEdgeDifferences(this->Mesh.P, this->Mesh.F);
     HalfEdgeVectors details = e - HalfEdgeDifferences(this->Base, this->Mesh.F);
-    return { this->Topology, this->Weights(), std::move(e), std::move(details), this->Targets(),
-      threads };
+    StyleEnergy energy(this->Topology, this->Weights(), std::move(e), std::move(details),
+      this->Targets(threads), threads);
+    energy.PrepareSteps(this->Cells);
+    return energy;
   }
 
-  double Iterate(StyleEnergy& energy, Points& positions, Matrices& rotations, int times = 1)
+  double Iterate(const StyleEnergy& energy, Points& positions, Matrices& rotations, int times = 1)
   {
     double total = 0.0;
     for (int k = 0; k < times; ++k)
     {
-      energy.Covariances(positions, this->S);
-      FitRotations(this->S, rotations, energy.GetThreads());
+      energy.FitRotations(positions, rotations);
       energy.RightHandSide(rotations, this->B);
       this->Global.Solve(this->B, positions);
       total = energy.Evaluate(positions, rotations).Total();
@@ -101,6 +103,7 @@ struct StageData
 
   TriangleMesh Mesh; // in its frame
   MeshTopology Topology;
+  CellPattern Cells;
   Eigen::VectorXd Lambda;
   HalfEdgeScalars Cotangents;
   Points Base;
@@ -229,12 +232,12 @@ void Base(benchmark::State& state, StageData& data, int)
   Report(state, data, 0.0, HashOf(base));
 }
 
-void Targets(benchmark::State& state, StageData& data, int)
+void Targets(benchmark::State& state, StageData& data, int threads)
 {
   HalfEdgeVectors tau;
   while (state.KeepRunning())
   {
-    tau = data.Targets();
+    tau = data.Targets(threads);
     benchmark::ClobberMemory();
   }
   Report(state, data, 0.0, HashOf(tau));
@@ -335,6 +338,30 @@ void Rotations(benchmark::State& state, StageData& data, int threads)
   Report(state, data, bytes, Hash(R.data(), R.size() * sizeof(R[0])));
 }
 
+void LocalStep(benchmark::State& state, StageData& data, int threads)
+{
+  const StyleEnergy energy = data.MakeEnergy(threads);
+  Matrices R = data.R;
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(energy.FitRotations(data.Q, R));
+  }
+  // P, B, t, P'; R old and new
+  Report(state, data, data.Bytes(4, 2), Hash(R.data(), R.size() * sizeof(R[0])));
+}
+
+void PrepareSteps(benchmark::State& state, StageData& data, int threads)
+{
+  StyleEnergy energy = data.MakeEnergy(threads);
+  for (auto _ : state)
+  {
+    energy.PrepareSteps(data.Cells);
+  }
+  Points b;
+  energy.RightHandSide(data.R, b);
+  Report(state, data, 0.0, HashOf(b));
+}
+
 void RightHandSide(benchmark::State& state, StageData& data, int threads)
 {
   StyleEnergy energy = data.MakeEnergy(threads);
@@ -410,9 +437,10 @@ void RegisterSolverStages(const MeshKey& key, int threads)
   using Body = void (*)(benchmark::State&, StageData&, int);
   const std::pair<const char*, Body> stages[] = { { "Topology", Topology },
     { "Cotangents", Cotangents }, { "Weights", Weights }, { "Base", Base }, { "Targets", Targets },
-    { "Matrix", Matrix }, { "Ordering", Ordering }, { "Factorization", Factorization },
-    { "Covariances", Covariances }, { "Rotations", Rotations }, { "RightHandSide", RightHandSide },
-    { "Solve", Solve }, { "Energy", Value }, { "Iteration", Iteration } };
+    { "PrepareSteps", PrepareSteps }, { "Matrix", Matrix }, { "Ordering", Ordering },
+    { "Factorization", Factorization }, { "Covariances", Covariances }, { "Rotations", Rotations },
+    { "LocalStep", LocalStep }, { "RightHandSide", RightHandSide }, { "Solve", Solve },
+    { "Energy", Value }, { "Iteration", Iteration } };
   for (const auto& [name, body] : stages)
   {
     Register(name, key, threads, body);

@@ -33,8 +33,8 @@ GAP = 1e-4
 DRAGGING_GAP = 1e-3
 
 # Stages that threads of ours can share; the others are reported all the same.
-STAGES = ["Topology", "Cotangents", "Weights", "Base", "Targets", "Matrix", "Ordering",
-          "Factorization", "Covariances", "Rotations", "RightHandSide", "Solve", "Energy",
+STAGES = ["Topology", "Cotangents", "Weights", "Base", "Targets", "PrepareSteps", "Matrix", "Ordering",
+          "Factorization", "Covariances", "Rotations", "LocalStep", "RightHandSide", "Solve", "Energy",
           "Iteration", "Solver:default", "Solver:details", "Solver:uniform"]
 
 
