@@ -483,7 +483,7 @@ public:
    * Preparing the first solve of a model is not interrupted. Feature Linear without
    * AvoidSelfIntersections only.
    */
-  vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(TimeBudget, double);
   vtkGetMacro(TimeBudget, double);
   ///@}
 

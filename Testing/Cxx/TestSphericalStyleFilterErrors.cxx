@@ -149,6 +149,13 @@ void Numbers(Checker& check)
       [&](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetRoundness(bad); },
       [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetRoundness(0.5); });
   }
+  for (const double bad : { -1.0, NaN, Infinite })
+  {
+    ExpectError(
+      check, "TimeBudget " + vtkVariant(bad).ToString(), { "TimeBudget" },
+      [&](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetTimeBudget(bad); },
+      [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetTimeBudget(0.0); });
+  }
   for (const double bad : { 0.0, -1.0, NaN, Infinite })
   {
     ExpectError(

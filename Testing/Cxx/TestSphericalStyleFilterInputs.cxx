@@ -807,7 +807,6 @@ void Properties(Checker& check)
   Clamped(CenterBlendWidth, 2.0, 1.0);
   Clamped(Tolerance, 0.0, 1e-14);
   Clamped(MaximumNumberOfIterations, -1, 0);
-  Clamped(TimeBudget, -1.0, 0.0);
   Clamped(CenterMode, 3, 2);
   Clamped(EdgeWeighting, 3, 2);
   Clamped(NumberOfThreads, -1, 0);

@@ -84,7 +84,7 @@ FILTERS = {
 # Not clamped in C++ (a bad value is an error that names it): range of the panel.
 UNCLAMPED = {"Roundness": (0.0, 10.0), "Cubeness": (0.0, 10.0), "Weight": (0.0, 10.0),
              "Radius": (0.0, None), "TanhSteepness": (0.1, 10.0), "AxisGain": (0.0, None),
-             "OftenThreshold": (0.0, None)}
+             "OftenThreshold": (0.0, None), "TimeBudget": (0.0, None)}
 # The one enumeration without a setter for each entry: it is VTK's.
 PRECISIONS = ["Single", "Double", "Default"]
 
