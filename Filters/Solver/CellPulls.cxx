@@ -38,7 +38,7 @@ CellPattern::CellPattern(const MeshTopology& topology)
 }
 
 CellPulls::CellPulls(const CellPattern& pattern, const MeshTopology& topology,
-  const HalfEdgeVectors& pull, int threads)
+  const std::function<Eigen::Matrix3d(int)>& pulls, int threads)
   : Pattern(&pattern)
   , OfCell(3 * pattern.GetNeighbors().size() + 1, 0.0)
   , OfPoint(3 * pattern.GetNeighbors().size() + 1, 0.0)
@@ -47,9 +47,6 @@ CellPulls::CellPulls(const CellPattern& pattern, const MeshTopology& topology,
   const Triangles& F = topology.GetTriangles();
   const std::vector<int>& corners = topology.GetCorners();
   const int* neighbors = pattern.GetNeighbors().data();
-  // Corner k starts half-edge k + 2 and ends half-edge k + 1.
-  const auto difference = [&pull](int f, int k) -> Eigen::RowVector3d
-  { return pull.block<1, 3>(f, 3 * ((k + 2) % 3)) - pull.block<1, 3>(f, 3 * ((k + 1) % 3)); };
   const auto row = [](std::vector<double>& values, std::ptrdiff_t at)
   { return Eigen::Map<Eigen::RowVector3d>(values.data() + 3 * at); };
   ParallelFor(pattern.GetNumberOfPoints(), threads,
@@ -62,17 +59,21 @@ CellPulls::CellPulls(const CellPattern& pattern, const MeshTopology& topology,
         for (int at = topology.GetCornerOffset()[y]; at < topology.GetCornerOffset()[y + 1]; ++at)
         {
           const int f = corners[at] / 3;
-          const Eigen::RowVector3d own = difference(f, corners[at] % 3);
+          const Eigen::Matrix3d g = pulls(f);
+          // Corner k starts half-edge k + 2 and ends half-edge k + 1.
+          const auto difference = [&g](int k) -> Eigen::RowVector3d
+          { return g.col((k + 2) % 3) - g.col((k + 1) % 3); };
+          const Eigen::RowVector3d own = difference(corners[at] % 3);
           for (int k = 0; k < 3; ++k)
           {
             const int j = F(f, k);
             if (j == y) // also the second corner of a triangle that uses a point twice
             {
-              this->Own.row(y) += difference(f, k);
+              this->Own.row(y) += difference(k);
               continue;
             }
             const std::ptrdiff_t entry = std::find(first, beyond, j) - neighbors;
-            row(this->OfCell, entry) += difference(f, k);
+            row(this->OfCell, entry) += difference(k);
             row(this->OfPoint, entry) += own;
           }
         }

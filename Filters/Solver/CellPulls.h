@@ -7,6 +7,8 @@
 
 #include "MeshTopology.h"
 
+#include <functional>
+
 namespace SphericalStyle
 {
 /// Who shares a triangle with whom: for every point the others of its triangles, ascending.
@@ -43,9 +45,9 @@ class CellPulls
 public:
   CellPulls() = default;
   /// @param pattern  that of the topology; kept by reference, must outlive this
-  /// @param pull  g, m x 9, length
-  CellPulls(const CellPattern& pattern, const MeshTopology& topology, const HalfEdgeVectors& pull,
-    int threads);
+  /// @param pulls  g of the three half-edges of a triangle, as columns, length
+  CellPulls(const CellPattern& pattern, const MeshTopology& topology,
+    const std::function<Eigen::Matrix3d(int triangle)>& pulls, int threads);
 
   bool IsEmpty() const { return this->Own.rows() == 0; }
 

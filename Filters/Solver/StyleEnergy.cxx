@@ -14,14 +14,6 @@ namespace SphericalStyle
 {
 namespace
 {
-/// The three vectors of a triangle's half-edges as columns.
-using Columns = Eigen::Map<const Eigen::Matrix3d>;
-
-Columns TriangleColumns(const HalfEdgeVectors& x, Eigen::Index f)
-{
-  return Columns(x.row(f).data()); // row-major row of nine = three vectors = column-major matrix
-}
-
 Eigen::Matrix3d DeformedEdges(const Points& Q, const Triangles& F, Eigen::Index f)
 {
   const Eigen::Vector3d a = Q.row(F(f, 0));
@@ -34,16 +26,16 @@ Eigen::Matrix3d DeformedEdges(const Points& Q, const Triangles& F, Eigen::Index 
 
 /// sum_h weight_h |E_h - R T_h|^2 over the half-edges of a triangle.
 template <typename Weights>
-double Misfit(
-  const Eigen::Matrix3d& E, const Eigen::Matrix3d& R, const Columns& T, const Weights& weight)
+double Misfit(const Eigen::Matrix3d& E, const Eigen::Matrix3d& R, const Eigen::Matrix3d& T,
+  const Weights& weight)
 {
   const Eigen::Matrix3d residual = E - R * T;
   return residual.colwise().squaredNorm().dot(weight);
 }
 }
 
-StyleEnergy::StyleEnergy(const MeshTopology& topology, EdgeWeights weights, SharedVectors e,
-  SharedVectors delta, SharedVectors f, int threads)
+StyleEnergy::StyleEnergy(const MeshTopology& topology, EdgeWeights weights, HalfEdgeField e,
+  HalfEdgeField delta, HalfEdgeField f, int threads)
   : Topology(&topology)
   , Weights(std::move(weights))
   , Edges(std::move(e))
@@ -51,67 +43,40 @@ StyleEnergy::StyleEnergy(const MeshTopology& topology, EdgeWeights weights, Shar
   , FixedTargets(std::move(f))
   , Threads(threads)
 {
-  const int m = static_cast<int>(this->Edges->rows());
-  this->Scale = ParallelSum(m, this->Threads,
-    [this](int begin, int end)
+  const Triangles& F = topology.GetTriangles();
+  this->Scale = ParallelSum(topology.GetNumberOfTriangles(), this->Threads,
+    [&](int begin, int end)
     {
       double sum = 0.0;
       for (int t = begin; t < end; ++t)
       {
-        const auto sizes = [t](const HalfEdgeVectors& x)
-        { return TriangleColumns(x, t).colwise().squaredNorm(); };
-        sum += this->Weights.c.row(t).cwiseAbs().dot(sizes(*this->Edges));
-        sum += this->Weights.l.row(t).cwiseAbs().dot(sizes(*this->TurningTargets));
+        const auto sizes = [&](const HalfEdgeField& x)
+        { return x.Of(F, t).colwise().squaredNorm().eval(); };
+        sum += this->Weights.c.row(t).cwiseAbs().dot(sizes(this->Edges));
+        sum += this->Weights.l.row(t).cwiseAbs().dot(sizes(this->TurningTargets));
         if (this->HasFixedTargets())
         {
-          sum += this->Weights.l.row(t).cwiseAbs().dot(sizes(*this->FixedTargets));
+          sum += this->Weights.l.row(t).cwiseAbs().dot(sizes(this->FixedTargets));
         }
       }
       return 3.0 * sum;
     });
 }
 
-bool StyleEnergy::HasPullsOf(const StyleEnergy& other) const
+void StyleEnergy::PrepareSteps(const CellPattern& pattern, CellPulls pulls)
 {
-  return this->Topology == other.Topology && this->Edges == other.Edges &&
-    this->TurningTargets == other.TurningTargets && !other.Pulls.IsEmpty() &&
-    this->Weights.c == other.Weights.c && this->Weights.l == other.Weights.l;
-}
-
-void StyleEnergy::GiveBack(const SharedVectors& targets)
-{
-  if (this->Edges == targets || this->TurningTargets == targets)
+  const Triangles& F = this->Topology->GetTriangles();
+  this->Pulls = std::move(pulls);
+  if (this->Pulls.IsEmpty())
   {
-    *this = {};
-  }
-  else if (this->FixedTargets == targets)
-  {
-    this->FixedTargets = {};
-  }
-}
-
-void StyleEnergy::PrepareSteps(const CellPattern& pattern, StyleEnergy before)
-{
-  if (this->HasPullsOf(before))
-  {
-    this->Pulls = std::move(before.Pulls);
-  }
-  else
-  {
-    before = {}; // its memory is needed
-    const int m = static_cast<int>(this->Edges->rows());
-    HalfEdgeVectors pull(m, 9);
-    ParallelFor(m, this->Threads,
-      [&](int begin, int end)
+    this->Pulls = CellPulls(
+      pattern, *this->Topology,
+      [&](int t) -> Eigen::Matrix3d
       {
-        for (int t = begin; t < end; ++t)
-        {
-          Eigen::Map<Eigen::Matrix3d>(pull.row(t).data()) =
-            TriangleColumns(*this->Edges, t) * this->Weights.c.row(t).asDiagonal() +
-            TriangleColumns(*this->TurningTargets, t) * this->Weights.l.row(t).asDiagonal();
-        }
-      });
-    this->Pulls = CellPulls(pattern, *this->Topology, pull, this->Threads);
+        return this->Edges.Of(F, t) * this->Weights.c.row(t).asDiagonal() +
+          this->TurningTargets.Of(F, t) * this->Weights.l.row(t).asDiagonal();
+      },
+      this->Threads);
   }
   if (!this->HasFixedTargets())
   {
@@ -121,7 +86,7 @@ void StyleEnergy::PrepareSteps(const CellPattern& pattern, StyleEnergy before)
   this->FixedCovariances.resize(9 * static_cast<std::size_t>(n));
   this->FixedPulls.resize(n, 3);
   ParallelFor(n, this->Threads,
-    [this](int begin, int end)
+    [&](int begin, int end)
     {
       for (int y = begin; y < end; ++y)
       {
@@ -133,8 +98,8 @@ void StyleEnergy::PrepareSteps(const CellPattern& pattern, StyleEnergy before)
           const int t = this->Topology->GetCorners()[at] / 3;
           const int k = this->Topology->GetCorners()[at] % 3;
           const Eigen::Matrix3d weighted =
-            TriangleColumns(*this->FixedTargets, t) * this->Weights.l.row(t).asDiagonal();
-          covariance += TriangleColumns(*this->TurningTargets, t) * weighted.transpose();
+            this->FixedTargets.Of(F, t) * this->Weights.l.row(t).asDiagonal();
+          covariance += this->TurningTargets.Of(F, t) * weighted.transpose();
           // Corner k starts half-edge k + 2 and ends half-edge k + 1.
           fixed += 3.0 * (weighted.col((k + 2) % 3) - weighted.col((k + 1) % 3));
         }
@@ -147,25 +112,19 @@ void StyleEnergy::PrepareSteps(const CellPattern& pattern, StyleEnergy before)
 
 namespace
 {
-/// What SumResiduals reads, by triangle where nothing else is said.
+/// What SumResiduals reads.
 struct ResidualArrays
 {
   const int* F;
-  const double* Q;     // by point
-  const double* R;     // by point
-  const double* e;     // nine each
-  const double* delta; // nine each
-  const double* f;     // nine each, or nullptr
-  const double* c;     // three each
-  const double* l;     // three each
-  int lastPoint;       // nothing follows it in Q
+  const double* R;               // by point
+  HalfEdgeField::Reader current; // e'
+  HalfEdgeField::Reader e;
+  HalfEdgeField::Reader delta;
+  HalfEdgeField::Reader f;
+  bool hasFixed;
+  const double* c; // three for each triangle
+  const double* l;
 };
-
-SPHERICALSTYLE_INLINE Vector4 LoadPoint(const ResidualArrays& a, int i)
-{
-  const double* q = a.Q + 3 * static_cast<std::ptrdiff_t>(i);
-  return i == a.lastPoint ? Load3(q) : Load4(q);
-}
 
 SPHERICALSTYLE_PER_INSTRUCTION_SET
 void SumResiduals(const ResidualArrays& a, int begin, int end, EnergyTerms& energy)
@@ -175,22 +134,29 @@ void SumResiduals(const ResidualArrays& a, int begin, int end, EnergyTerms& ener
   for (int t = begin; t < end; ++t)
   {
     const int* corner = a.F + 3 * static_cast<std::ptrdiff_t>(t);
-    const Vector4 q[3] = { LoadPoint(a, corner[0]), LoadPoint(a, corner[1]),
-      LoadPoint(a, corner[2]) };
     const Columns4 R[3] = { LoadColumns(a.R + 9 * static_cast<std::ptrdiff_t>(corner[0])),
       LoadColumns(a.R + 9 * static_cast<std::ptrdiff_t>(corner[1])),
       LoadColumns(a.R + 9 * static_cast<std::ptrdiff_t>(corner[2])) };
+    Vector4 current[3];
+    Vector4 e[3];
+    Vector4 delta[3];
+    Vector4 fixed[3] = {};
+    a.current.Read(corner, t, current);
+    a.e.Read(corner, t, e);
+    a.delta.Read(corner, t, delta);
+    if (a.hasFixed)
+    {
+      a.f.Read(corner, t, fixed);
+    }
     for (int k = 0; k < 3; ++k)
     {
-      const auto at = 9 * static_cast<std::ptrdiff_t>(t) + 3 * k;
-      const Vector4 edge = q[(k + 1) % 3] - q[(k + 2) % 3];
-      const Vector4 base = a.f ? edge - Load3(a.f + at) : edge;
+      const Vector4 base = current[k] - fixed[k];
       Vector4 rigidSquares = {};
       Vector4 sphericalSquares = {};
       for (int y = 0; y < 3; ++y)
       {
-        const Vector4 u = edge - R[y] * (a.e + at);
-        const Vector4 v = base - R[y] * (a.delta + at);
+        const Vector4 u = current[k] - R[y] * e[k];
+        const Vector4 v = base - R[y] * delta[k];
         rigidSquares += u * u;
         sphericalSquares += v * v;
       }
@@ -205,10 +171,12 @@ void SumResiduals(const ResidualArrays& a, int begin, int end, EnergyTerms& ener
 
 EnergyTerms StyleEnergy::Evaluate(const Points& Q, const Matrices& R) const
 {
+  using Reader = HalfEdgeField::Reader;
   const Triangles& F = this->Topology->GetTriangles();
-  const ResidualArrays arrays = { F.data(), Q.data(), R.data()->data(), this->Edges->data(),
-    this->TurningTargets->data(), this->HasFixedTargets() ? this->FixedTargets->data() : nullptr,
-    this->Weights.c.data(), this->Weights.l.data(), static_cast<int>(Q.rows()) - 1 };
+  const HalfEdgeField current(Q);
+  const ResidualArrays arrays = { F.data(), R.data()->data(), Reader(current), Reader(this->Edges),
+    Reader(this->TurningTargets), Reader(this->FixedTargets), this->HasFixedTargets(),
+    this->Weights.c.data(), this->Weights.l.data() };
   return ParallelSum(static_cast<int>(F.rows()), this->Threads, EnergyTerms(),
     [&](int begin, int end)
     {
@@ -228,14 +196,13 @@ Eigen::VectorXd StyleEnergy::CellEnergies(const Points& Q, const Matrices& R) co
     Eigen::Matrix3d G = E;
     if (this->HasFixedTargets())
     {
-      G -= TriangleColumns(*this->FixedTargets, f);
+      G -= this->FixedTargets.Of(F, f);
     }
     for (int y = 0; y < 3; ++y)
     {
       const Eigen::Matrix3d& rotation = R[F(f, y)];
-      energy(F(f, y)) +=
-        Misfit(E, rotation, TriangleColumns(*this->Edges, f), this->Weights.c.row(f)) +
-        Misfit(G, rotation, TriangleColumns(*this->TurningTargets, f), this->Weights.l.row(f));
+      energy(F(f, y)) += Misfit(E, rotation, this->Edges.Of(F, f), this->Weights.c.row(f)) +
+        Misfit(G, rotation, this->TurningTargets.Of(F, f), this->Weights.l.row(f));
     }
   }
   return energy;

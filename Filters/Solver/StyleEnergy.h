@@ -13,9 +13,7 @@
 
 #include "CellPulls.h"
 #include "EdgeWeights.h"
-
-#include <memory>
-#include <utility>
+#include "HalfEdgeField.h"
 
 namespace SphericalStyle
 {
@@ -33,35 +31,14 @@ struct EnergyTerms
   }
 };
 
-/// Half-edge vectors that several energies may share; from a value, those of one.
-class SharedVectors
-{
-public:
-  SharedVectors(HalfEdgeVectors x = HalfEdgeVectors(0, 9))
-    : Vectors(std::make_shared<const HalfEdgeVectors>(std::move(x)))
-  {
-  }
-  SharedVectors(std::shared_ptr<const HalfEdgeVectors> x)
-    : Vectors(std::move(x))
-  {
-  }
-  const HalfEdgeVectors& operator*() const { return *this->Vectors; }
-  const HalfEdgeVectors* operator->() const { return this->Vectors.get(); }
-  bool operator==(const SharedVectors& other) const { return this->Vectors == other.Vectors; }
-
-private:
-  std::shared_ptr<const HalfEdgeVectors> Vectors;
-};
-
 class StyleEnergy
 {
 public:
   StyleEnergy() = default;
   /// @param topology  kept by reference, must outlive this
-  /// @param e  rest edges @param delta  turning targets @param f  fixed targets, or 0 rows for none
-  ///        (m x 9 each, length)
-  StyleEnergy(const MeshTopology& topology, EdgeWeights weights, SharedVectors e,
-    SharedVectors delta, SharedVectors f, int threads);
+  /// @param e  rest edges @param delta  turning targets @param f  fixed targets, or none (length)
+  StyleEnergy(const MeshTopology& topology, EdgeWeights weights, HalfEdgeField e,
+    HalfEdgeField delta, HalfEdgeField f, int threads);
 
   const EdgeWeights& GetWeights() const { return this->Weights; }
   const MeshTopology& GetTopology() const { return *this->Topology; }
@@ -73,13 +50,10 @@ public:
   Eigen::VectorXd CellEnergies(const Points& Q, const Matrices& R) const;
   /// Makes the three steps below ready; to be called before any of them.
   /// @param pattern  that of the topology; kept by reference, must outlive this
-  /// @param before  an energy of the same topology; its pulls are taken over where they are the
-  /// same
-  void PrepareSteps(const CellPattern& pattern, StyleEnergy before);
-  void PrepareSteps(const CellPattern& pattern) { this->PrepareSteps(pattern, StyleEnergy()); }
-  /// Lets go of targets, whose memory is to be written to. The pulls stay if they do not depend on
-  /// them, or else all is forgotten.
-  void GiveBack(const SharedVectors& targets);
+  /// @param pulls  those of an energy of the same weights, e and delta, or empty ones
+  void PrepareSteps(const CellPattern& pattern, CellPulls pulls = {});
+  /// The pulls, for an energy that differs in f alone; the steps are not ready then.
+  CellPulls ReleasePulls() { return std::exchange(this->Pulls, {}); }
   /// S_y = sum_{f at y} sum_{h in f} (c e + l delta) e'^T - l delta f^T (Eq. 4.13) [local].
   void Covariances(const Points& Q, Matrices& S) const;
   /// R_y := the rotation closest to S_y, without storing S. @return the change of E, <= 0
@@ -91,14 +65,13 @@ public:
 
 private:
   void Covariances(const Points& Q, int begin, int end, double* S) const;
-  bool HasFixedTargets() const { return this->FixedTargets->rows() > 0; }
-  bool HasPullsOf(const StyleEnergy& other) const;
+  bool HasFixedTargets() const { return !this->FixedTargets.IsEmpty(); }
 
   const MeshTopology* Topology = nullptr;
   EdgeWeights Weights;
-  SharedVectors Edges;          // e
-  SharedVectors TurningTargets; // delta
-  SharedVectors FixedTargets;   // f
+  HalfEdgeField Edges;          // e
+  HalfEdgeField TurningTargets; // delta
+  HalfEdgeField FixedTargets;   // f
   CellPulls Pulls;              // of g = c e + l delta
   // With fixed targets, per point: sum_{f at y} sum_h l delta f^T, and what 3 l f adds to b.
   std::vector<double> FixedCovariances; // 9 n

@@ -197,13 +197,12 @@ public:
   bool HasTriangles = false;
   EnergyTriangleOptions Shape;
   EnergyTriangles Reshaped; // empty where the energy keeps the surface's
-  std::shared_ptr<const HalfEdgeVectors> Edges;
   CellPattern Cells;
   Points RestMeans;
   // Depends on detail size too.
   double BaseSize = -1.0;
   Points Base;
-  std::shared_ptr<const HalfEdgeVectors> DetailEdges; // with a detail size
+  Points Details; // P - B, with a detail size
   // Depends on the centers' ids and blend too.
   std::vector<int> CenterIds;
   double CenterBlend = 0.0;
@@ -214,8 +213,8 @@ public:
   GlobalStep Global;
   // Result of the last solve.
   StyleEnergy Energy;
-  StyleEnergy LastEnergy;                       // of the solve before, while this one is made
-  std::shared_ptr<HalfEdgeVectors> LastTargets; // its tau: memory to be used again
+  bool PullsAreOfDetails = false; // those of Energy, and details have not changed since
+  CellPulls KeptPulls;            // while the next energy is made
   Points T;
   Points Q; // in the frame
   Points Positions;
@@ -235,7 +234,7 @@ public:
   std::vector<Sphere> Spheres(const StyleOptions& options) const;
   Points Directions(
     const StyleOptions& options, const Eigen::Vector3d& center, std::vector<int>& onCenter) const;
-  std::shared_ptr<HalfEdgeVectors> Targets(const StyleOptions& options, StyleReport& report);
+  HalfEdgeField Targets(const StyleOptions& options, StyleReport& report);
   void UpdateGlobal(const std::vector<int>& fixedPoints);
   bool IsClosedForm(const StyleOptions& options, const StyleReport& report) const;
   void BuildEnergy(const StyleOptions& options, StyleReport& report);
@@ -310,8 +309,7 @@ void StyleSolver::State::UpdateTriangles(const EnergyTriangleOptions& options)
   {
     this->Cells = {};
   }
-  this->Edges =
-    std::make_shared<HalfEdgeVectors>(HalfEdgeDifferences(this->P, this->SummedTriangles()));
+  this->PullsAreOfDetails = false;
   this->RestMeans = this->Summed().Topology.ComponentMeans(this->P, this->Areas);
   this->BaseSize = -1.0;
   this->CenterIds.clear();
@@ -326,15 +324,15 @@ void StyleSolver::State::UpdateBase(double detailSize)
   }
   this->BaseSize = -1.0;
   this->Base = this->P;
-  this->DetailEdges.reset();
+  this->Details.resize(0, 3);
+  this->PullsAreOfDetails = false;
   if (detailSize > 0.0)
   {
     const EnergyTriangles& triangles = this->Summed();
     // The frame's diagonal is 1, so the fraction is the length.
     this->Base =
       SmoothBase(this->P, triangles.Topology, triangles.Cotangents, detailSize, this->Areas);
-    this->DetailEdges = std::make_shared<HalfEdgeVectors>(
-      HalfEdgeDifferences(this->P - this->Base, this->SummedTriangles()));
+    this->Details = this->P - this->Base;
   }
   this->BaseSize = detailSize;
 }
@@ -411,36 +409,42 @@ Points StyleSolver::State::Directions(
   return BlendDirections(d, given ? options.normals : PointNormals(this->Base, this->Given.F), a);
 }
 
-/// tau [energy] from every center, of the base, into memory that earlier solves may have left; and
-/// t, of several centers by their shares.
-std::shared_ptr<HalfEdgeVectors> StyleSolver::State::Targets(
-  const StyleOptions& options, StyleReport& report)
+/// tau [energy] from every center, of the base; and t, of several centers by their shares.
+HalfEdgeField StyleSolver::State::Targets(const StyleOptions& options, StyleReport& report)
 {
   report.spheres = this->Spheres(options);
   report.sphere = report.spheres.front();
   const Triangles& F = this->SummedTriangles();
-  auto tau = std::move(this->LastTargets);
-  if (!tau || tau.use_count() > 1)
-  {
-    tau = std::make_shared<HalfEdgeVectors>();
-  }
+  const bool keep = options.concaveEdges == ConcaveEdges::Keep;
+  HalfEdgeVectors tau(0, 9);
   if (report.spheres.size() == 1)
   {
     this->T = this->Directions(options, report.sphere.center, report.pointsOnCenter);
-    SetEdgeTargets(this->T, report.sphere.radius, F, options.threads, *tau);
-    return tau;
+    if (keep)
+    {
+      return HalfEdgeField(this->T, report.sphere.radius);
+    }
+    tau = HalfEdgeDifferences(report.sphere.radius * this->T, F);
   }
-  *tau = HalfEdgeVectors::Zero(F.rows(), 9);
-  this->T = Points::Zero(this->P.rows(), 3);
-  for (std::size_t k = 0; k < report.spheres.size(); ++k)
+  else
   {
-    const Sphere& sphere = report.spheres[k];
-    const Eigen::VectorXd omega = this->Shares.col(static_cast<Eigen::Index>(k));
-    std::vector<int> onCenter;
-    const Points t = this->Directions(options, sphere.center, onCenter);
-    AddEdgeTargets(t, sphere.radius, omega, F, *tau);
-    this->T += omega.asDiagonal() * t;
-    report.pointsOnCenter.insert(report.pointsOnCenter.end(), onCenter.begin(), onCenter.end());
+    tau = HalfEdgeVectors::Zero(F.rows(), 9);
+    this->T = Points::Zero(this->P.rows(), 3);
+    for (std::size_t k = 0; k < report.spheres.size(); ++k)
+    {
+      const Sphere& sphere = report.spheres[k];
+      const Eigen::VectorXd omega = this->Shares.col(static_cast<Eigen::Index>(k));
+      std::vector<int> onCenter;
+      const Points t = this->Directions(options, sphere.center, onCenter);
+      AddEdgeTargets(t, sphere.radius, omega, F, tau);
+      this->T += omega.asDiagonal() * t;
+      report.pointsOnCenter.insert(report.pointsOnCenter.end(), onCenter.begin(), onCenter.end());
+    }
+  }
+  if (!keep)
+  {
+    report.concaveHalfEdges =
+      ChangeConcaveTargets(HalfEdgeDifferences(this->Base, F), options.concaveEdges, tau);
   }
   return tau;
 }
@@ -485,21 +489,18 @@ void StyleSolver::State::BuildEnergy(const StyleOptions& options, StyleReport& r
   }
   EdgeWeights weights = ComputeEdgeWeights(this->Summed().Cotangents, F, lambda,
     options.edgeWeighting, options.sphericalWeighting, this->Summed().NumberOfStitches);
-  this->LastEnergy = std::exchange(this->Energy, {});
-  this->LastEnergy.GiveBack(SharedVectors(this->LastTargets));
-  const std::shared_ptr<HalfEdgeVectors> tau = this->Targets(options, report);
   const bool details = options.detailSize > 0.0;
-  if (options.concaveEdges != ConcaveEdges::Keep)
-  {
-    report.concaveHalfEdges = ChangeConcaveTargets(
-      details ? HalfEdgeVectors(*this->Edges - *this->DetailEdges) : *this->Edges,
-      options.concaveEdges, *tau);
-  }
-  this->Energy = details ? StyleEnergy(topology, std::move(weights), this->Edges, this->DetailEdges,
-                             SharedVectors(tau), options.threads)
-                         : StyleEnergy(topology, std::move(weights), this->Edges,
-                             SharedVectors(tau), SharedVectors(), options.threads);
-  this->LastTargets = tau;
+  const EdgeWeights& last = this->Energy.GetWeights();
+  const bool keepsPulls =
+    details && this->PullsAreOfDetails && last.c == weights.c && last.l == weights.l;
+  this->KeptPulls = keepsPulls ? this->Energy.ReleasePulls() : CellPulls();
+  this->Energy = {}; // its memory is needed
+  this->PullsAreOfDetails = false;
+  HalfEdgeField tau = this->Targets(options, report);
+  this->Energy = details ? StyleEnergy(topology, std::move(weights), HalfEdgeField(this->P),
+                             HalfEdgeField(this->Details), std::move(tau), options.threads)
+                         : StyleEnergy(topology, std::move(weights), HalfEdgeField(this->P),
+                             std::move(tau), {}, options.threads);
   report.seconds.weights = watch.Seconds();
 }
 
@@ -511,7 +512,8 @@ void StyleSolver::State::PrepareSteps(StyleReport& report)
   {
     this->Cells = CellPattern(this->Summed().Topology);
   }
-  this->Energy.PrepareSteps(this->Cells, std::exchange(this->LastEnergy, {}));
+  this->Energy.PrepareSteps(this->Cells, std::exchange(this->KeptPulls, {}));
+  this->PullsAreOfDetails = this->Details.rows() > 0;
   report.seconds.weights += watch.Seconds();
 }
 
@@ -606,7 +608,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   if (report.closedForm)
   {
     loop.maximumNumberOfIterations = 0;
-    s.LastEnergy = {};
+    s.KeptPulls = {};
   }
   else
   {

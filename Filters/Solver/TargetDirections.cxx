@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TargetDirections.h"
 
-#include "Parallel.h"
 #include "SurfaceMeasures.h"
 
 #include <cmath>
@@ -155,25 +154,6 @@ Points CenterDirections(const Points& P, const MeshTopology& topology, const Eig
 Points BlendDirections(const Points& d, const Points& n, const Eigen::VectorXd& a)
 {
   return d.array().colwise() * (1.0 - a.array()) + n.array().colwise() * a.array();
-}
-
-void SetEdgeTargets(
-  const Points& t, double r, const Triangles& F, int threads, HalfEdgeVectors& tau)
-{
-  tau.resize(F.rows(), 9);
-  ParallelFor(static_cast<int>(F.rows()), threads,
-    [&](int begin, int end)
-    {
-      for (int f = begin; f < end; ++f)
-      {
-        const Eigen::RowVector3d x[3] = { r * t.row(F(f, 0)), r * t.row(F(f, 1)),
-          r * t.row(F(f, 2)) };
-        for (int k = 0; k < 3; ++k)
-        {
-          tau.block<1, 3>(f, 3 * k) = x[HalfEdgeStart(k)] - x[HalfEdgeEnd(k)];
-        }
-      }
-    });
 }
 
 void AddEdgeTargets(

@@ -59,10 +59,6 @@ Points CenterDirections(const Points& P, const MeshTopology& topology, const Eig
 /// t_i = (1 - a_i) d_i + a_i n_i (Eq. 4.6), a of one entry per point.
 Points BlendDirections(const Points& d, const Points& n, const Eigen::VectorXd& a);
 
-/// tau of one center: r (t_u - t_v) per half-edge, m x 9, replaced [energy].
-void SetEdgeTargets(
-  const Points& t, double r, const Triangles& F, int threads, HalfEdgeVectors& tau);
-
 /// Adds omega_uv r (t_u - t_v) per half-edge to tau (m x 9, length): the targets of one center
 /// [energy].
 /// @param omega  n, share of this center; an edge takes the mean of its ends, so that both follow

@@ -68,6 +68,11 @@ SPHERICALSTYLE_INLINE Vector4 operator*(const Columns4& m, const double* v)
 {
   return m.x * v[0] + m.y * v[1] + m.z * v[2];
 }
+
+SPHERICALSTYLE_INLINE Vector4 operator*(const Columns4& m, const Vector4& v)
+{
+  return m.x * v[0] + m.y * v[1] + m.z * v[2];
+}
 } // namespace SphericalStyle
 
 #endif
