@@ -105,7 +105,8 @@ def main():
         surfaces.write_table(arguments.output, "contact-sheet.csv", COLUMNS, table)
     if arguments.output and arguments.pictures:
         import pictures  # needs a display
-        pictures.sheets(arguments.output, panels, CASES)
+        titles = [f"DetailSize {detail:g}, Roundness {roundness:g}" for detail, roundness in CASES]
+        pictures.sheets(arguments.output, panels, titles)
     check.exit()
 
 

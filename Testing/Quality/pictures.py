@@ -39,8 +39,8 @@ def flat(surface):
     return actor
 
 
-def sheets(folder, models, cases):
-    """models: (name, x, F, [Result of each case]). sheet-1.png and so on."""
+def sheets(folder, models, titles):
+    """models: (name, x, F, [Deformed of each title]). sheet-1.png and so on."""
     for first in range(0, len(models), ROWS):
         strips = []
         for name, x, F, results in models[first:first + ROWS]:
@@ -48,8 +48,8 @@ def sheets(folder, models, cases):
             # All in the units of the model's diagonal: one row, one scale.
             length = measures.diagonal(x)
             panels = [(surfaces.polydata(x / length, F), f"{name}, {len(x)} points")]
-            panels += [(surfaces.polydata(r.x / length, r.F), f"DetailSize {d:g}, Roundness {l:g}")
-                       for (d, l), r in zip(cases, results) if not r.failed]
+            panels += [(surfaces.polydata(r.x / length, r.F), title)
+                       for title, r in zip(titles, results) if not r.failed]
             strip = folder / f"strip-{len(strips)}.png"
             model_pictures.picture(strip, (330 * len(panels), 300), [panels], up, view, 12, make_actor=flat)
             strips.append(strip)

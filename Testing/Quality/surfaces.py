@@ -16,6 +16,10 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from sphericalstyle import vtkSphericalStyleFilter
+try:
+    from sphericalstyle import vtkConvexProxyDeformFilter
+except ImportError:  # built without CGAL
+    vtkConvexProxyDeformFilter = None
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SKIPPED = 77  # what ctest takes for "skipped"
@@ -116,32 +120,48 @@ def polydata(x, F):
     return result
 
 
-# ------------------------------------------------------------------------------------------ filter
-class Result:
+# ----------------------------------------------------------------------------------------- filters
+class Deformed:
     """x: deformed points, of the points that were given. F: their triangles."""
 
-    def __init__(self, x, F, properties):
-        style = vtkSphericalStyleFilter()
+    def __init__(self, algorithm, x, F, properties):
         self.messages = []
         for event in ("ErrorEvent", "WarningEvent"):
-            style.AddObserver(event, self._message)
-        style.SetInputData(polydata(x, F))
-        style.SetOutputPointsPrecision(1)
+            algorithm.AddObserver(event, self._message)
+        algorithm.SetInputData(polydata(x, F))
+        algorithm.SetOutputPointsPrecision(1)
         for name, value in properties.items():
-            getattr(style, "Set" + name)(value)
+            getattr(algorithm, "Set" + name)(value)
         begin = time.perf_counter()
-        style.Update()
+        algorithm.Update()
         self.seconds = time.perf_counter() - begin
-        output = style.GetOutput()
+        output = algorithm.GetOutput()
         self.failed = output.GetNumberOfPoints() == 0
         self.x = points(output) if not self.failed else np.full_like(x, np.nan)
         self.F = triangles(output) if not self.failed else F
-        self.center = np.array(style.GetEffectiveCenter())
-        self.radius = style.GetEffectiveRadius()
-        self.iterations = style.GetNumberOfIterations()
-        self.converged = style.GetConverged()
 
     def _message(self, _source, _event, text):
         self.messages.append(text.strip().split("\n")[-1])
 
     _message.CallDataType = VTK_STRING
+
+
+class ProxyResult(Deformed):
+    """Of vtkConvexProxyDeformFilter; nothing is iterated on the model itself."""
+
+    def __init__(self, x, F):
+        super().__init__(vtkConvexProxyDeformFilter(), x, F, {})
+        self.iterations = 0
+        self.converged = not self.failed
+
+
+class Result(Deformed):
+    """Of vtkSphericalStyleFilter."""
+
+    def __init__(self, x, F, properties):
+        style = vtkSphericalStyleFilter()
+        super().__init__(style, x, F, properties)
+        self.center = np.array(style.GetEffectiveCenter())
+        self.radius = style.GetEffectiveRadius()
+        self.iterations = style.GetNumberOfIterations()
+        self.converged = style.GetConverged()
