@@ -7,6 +7,7 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <mutex>
 #include <vector>
 
 #ifdef SPHERICALSTYLE_WITH_CHOLMOD
@@ -53,31 +54,35 @@ private:
 //------------------------------------------------------------------------------------------------
 namespace
 {
-/// One BLAS thread while in scope: the blocks of these factors are small, and the order of
-/// additions must not depend on the machine.
+/// One BLAS thread while any of these is in scope: the blocks of these factors are small, and the
+/// order of additions must not depend on the machine. Several threads may factor at once.
 class SingleThreadedBlas
 {
 public:
   SingleThreadedBlas()
   {
-    if (openblas_get_num_threads && openblas_set_num_threads)
+    const std::lock_guard<std::mutex> lock(Guard);
+    if (Scopes++ == 0 && openblas_get_num_threads && openblas_set_num_threads)
     {
-      this->Before = openblas_get_num_threads();
+      Before = openblas_get_num_threads();
       openblas_set_num_threads(1);
     }
   }
   ~SingleThreadedBlas()
   {
-    if (this->Before > 0)
+    const std::lock_guard<std::mutex> lock(Guard);
+    if (--Scopes == 0 && Before > 0)
     {
-      openblas_set_num_threads(this->Before);
+      openblas_set_num_threads(Before);
     }
   }
   SingleThreadedBlas(const SingleThreadedBlas&) = delete;
   SingleThreadedBlas& operator=(const SingleThreadedBlas&) = delete;
 
 private:
-  int Before = 0;
+  static inline std::mutex Guard;
+  static inline int Scopes = 0;
+  static inline int Before = 0;
 };
 
 /// A view of an Eigen matrix, nothing is copied.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <string>
 #include <utility>
 
@@ -237,9 +238,11 @@ public:
   HalfEdgeField Targets(const StyleOptions& options, StyleReport& report);
   void UpdateGlobal(const std::vector<int>& fixedPoints);
   bool IsClosedForm(const StyleOptions& options, const StyleReport& report) const;
-  void BuildEnergy(const StyleOptions& options, StyleReport& report);
+  EdgeWeights Prepare(const StyleOptions& options, StyleReport& report);
+  EdgeWeights Weights(const StyleOptions& options, StyleReport& report) const;
+  void BuildEnergy(const StyleOptions& options, EdgeWeights weights, StyleReport& report);
   void PrepareSteps(StyleReport& report);
-  void FactorGlobal(StyleReport& report);
+  void FactorGlobal(const EdgeWeights& w, StyleReport& report);
   void StartFromRest(const StyleOptions& options);
   void StartFromBlend(double radius);
   void ToModelUnits(const StyleOptions& options, StyleReport& report);
@@ -476,19 +479,61 @@ void StyleSolver::State::StartFromBlend(double radius)
   }
 }
 
-/// Edges, targets and weights of [energy], or of [detail] with a detail size.
-void StyleSolver::State::BuildEnergy(const StyleOptions& options, StyleReport& report)
+/// All that depends on the mesh and on few options: triangles, weights, base, shares and, where the
+/// details say so, the factor. Base and factor are two factorisations that know nothing of each
+/// other.
+EdgeWeights StyleSolver::State::Prepare(const StyleOptions& options, StyleReport& report)
+{
+  const Stopwatch triangles;
+  this->UpdateTriangles(ShapeOf(options, this->Surface.Topology));
+  report.seconds.triangles = triangles.Seconds();
+  report.edgeFlips = this->Summed().NumberOfFlips;
+  report.negativeEdges = this->Summed().NumberOfNegativeEdges;
+  report.wallStitches = this->Summed().NumberOfWallStitches;
+  report.stitches = this->Summed().NumberOfStitches - report.wallStitches;
+  this->UpdateGlobal(options.fixedPoints);
+  EdgeWeights weights = this->Weights(options, report);
+  const auto base = [&]
+  {
+    const Stopwatch watch;
+    this->UpdateBase(options.detailSize);
+    this->UpdateShares(options);
+    report.seconds.base = watch.Seconds();
+  };
+  if (options.detailSize > 0.0)
+  {
+    const auto policy = options.threads > 1 ? std::launch::async : std::launch::deferred;
+    std::future<void> meanwhile = std::async(policy, base);
+    this->FactorGlobal(weights, report);
+    meanwhile.get();
+  }
+  else
+  {
+    base();
+  }
+  return weights;
+}
+
+EdgeWeights StyleSolver::State::Weights(const StyleOptions& options, StyleReport& report) const
 {
   const Stopwatch watch;
-  const MeshTopology& topology = this->Summed().Topology;
-  const Triangles& F = topology.GetTriangles();
   Eigen::VectorXd lambda = Eigen::VectorXd::Constant(this->P.rows(), options.lambda);
   if (options.roundnessFactors.size() > 0)
   {
     lambda = options.lambda * options.roundnessFactors;
   }
-  EdgeWeights weights = ComputeEdgeWeights(this->Summed().Cotangents, F, lambda,
-    options.edgeWeighting, options.sphericalWeighting, this->Summed().NumberOfStitches);
+  EdgeWeights weights = ComputeEdgeWeights(this->Summed().Cotangents, this->SummedTriangles(),
+    lambda, options.edgeWeighting, options.sphericalWeighting, this->Summed().NumberOfStitches);
+  report.seconds.weights += watch.Seconds();
+  return weights;
+}
+
+/// Edges, targets and weights of [energy], or of [detail] with a detail size.
+void StyleSolver::State::BuildEnergy(
+  const StyleOptions& options, EdgeWeights weights, StyleReport& report)
+{
+  const Stopwatch watch;
+  const MeshTopology& topology = this->Summed().Topology;
   const bool details = options.detailSize > 0.0;
   const EdgeWeights& last = this->Energy.GetWeights();
   const bool keepsPulls =
@@ -501,7 +546,7 @@ void StyleSolver::State::BuildEnergy(const StyleOptions& options, StyleReport& r
                              HalfEdgeField(this->Details), std::move(tau), options.threads)
                          : StyleEnergy(topology, std::move(weights), HalfEdgeField(this->P),
                              std::move(tau), {}, options.threads);
-  report.seconds.weights = watch.Seconds();
+  report.seconds.weights += watch.Seconds();
 }
 
 /// What the steps need beyond the energy itself.
@@ -517,9 +562,8 @@ void StyleSolver::State::PrepareSteps(StyleReport& report)
   report.seconds.weights += watch.Seconds();
 }
 
-void StyleSolver::State::FactorGlobal(StyleReport& report)
+void StyleSolver::State::FactorGlobal(const EdgeWeights& w, StyleReport& report)
 {
-  const EdgeWeights& w = this->Energy.GetWeights();
   report.factored = w.proportional ? this->Global.SetWeights(w.c, 1.0 + w.ratio)
                                    : this->Global.SetWeights(w.c + w.l, 1.0);
   report.seconds.analyze = this->Global.GetAnalyzeSeconds();
@@ -566,19 +610,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   CheckOptions(options, static_cast<int>(s.P.rows()));
   StyleReport report;
   const Stopwatch whole;
-  const Stopwatch triangles;
-  s.UpdateTriangles(ShapeOf(options, s.Surface.Topology));
-  report.seconds.triangles = triangles.Seconds();
-  report.edgeFlips = s.Summed().NumberOfFlips;
-  report.negativeEdges = s.Summed().NumberOfNegativeEdges;
-  report.wallStitches = s.Summed().NumberOfWallStitches;
-  report.stitches = s.Summed().NumberOfStitches - report.wallStitches;
-  const Stopwatch base;
-  s.UpdateBase(options.detailSize);
-  s.UpdateShares(options);
-  report.seconds.base = base.Seconds();
-  s.BuildEnergy(options, report);
-  s.UpdateGlobal(options.fixedPoints);
+  s.BuildEnergy(options, s.Prepare(options, report), report);
   Matrices last;
   const bool continues = std::exchange(s.HasResult, false) &&
     options.initialGuess == InitialGuess::LastResult &&
@@ -613,7 +645,10 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   else
   {
     s.PrepareSteps(report);
-    s.FactorGlobal(report);
+    if (options.detailSize == 0.0)
+    {
+      s.FactorGlobal(s.Energy.GetWeights(), report);
+    }
   }
   const Stopwatch iterate;
   if (!options.fixedPoints.empty())
