@@ -77,7 +77,7 @@ bool GlobalStep::SetWeights(const HalfEdgeScalars& k, double scale)
   return true;
 }
 
-void GlobalStep::Solve(const Points& b, Points& Q)
+void GlobalStep::Solve(const Points& b, Points& Q, int threads)
 {
   const std::vector<int>& rows = this->Matrix.GetRows();
   this->Work.resize(this->Matrix.GetNumberOfRows(), 3);
@@ -97,7 +97,7 @@ void GlobalStep::Solve(const Points& b, Points& Q)
     this->Work.row(border.row) +=
       3.0 * this->Factored.data()[border.halfEdge] * Q.row(border.fixedPoint);
   }
-  this->Factor.Solve(this->Work);
+  this->Factor.Solve(this->Work, threads);
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     if (rows[i] >= 0)

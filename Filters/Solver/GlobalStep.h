@@ -25,7 +25,7 @@ public:
   bool SetWeights(const HalfEdgeScalars& k, double scale);
 
   /// @param b  n x 3 @param Q  n x 3: fixed rows hold their positions, the others are replaced
-  void Solve(const Points& b, Points& Q);
+  void Solve(const Points& b, Points& Q, int threads = 1);
 
   /// n flags: points that Solve does not move.
   const std::vector<char>& GetFixed() const { return this->Fixed; }

@@ -3,6 +3,7 @@
 #include "Parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <thread>
 
 namespace SphericalStyle
@@ -41,6 +42,28 @@ void RunShares(int n, int shares, const std::function<void(int, int)>& body)
 void ParallelFor(int n, int threads, const std::function<void(int, int)>& body)
 {
   RunShares(n, NumberOfShares(n, threads), body);
+}
+
+void ParallelTasks(int count, int threads, const std::function<void(int)>& body)
+{
+  std::atomic<int> next = 0;
+  const auto work = [&]
+  {
+    for (int task = next++; task < count; task = next++)
+    {
+      body(task);
+    }
+  };
+  std::vector<std::thread> workers;
+  for (int t = 1; t < std::min(threads, count); ++t)
+  {
+    workers.emplace_back(work);
+  }
+  work();
+  for (std::thread& worker : workers)
+  {
+    worker.join();
+  }
 }
 
 int NumberOfBlocks(int n)

@@ -15,6 +15,10 @@ namespace SphericalStyle
 /// Calls body(begin, end) on disjoint ranges that cover 0..n. body must not throw.
 void ParallelFor(int n, int threads, const std::function<void(int, int)>& body);
 
+/// Calls body(task) for 0..count-1, the next one on whichever thread is free. Tasks must not share
+/// output.
+void ParallelTasks(int count, int threads, const std::function<void(int)>& body);
+
 /// Calls body(block, begin, end) for blocks of fixed size that cover 0..n.
 void ParallelBlocks(int n, int threads, const std::function<void(int, int, int)>& body);
 int NumberOfBlocks(int n);

@@ -27,7 +27,7 @@ public:
   virtual const char* GetName() const = 0;
   virtual void Analyze(const Matrix& A) = 0;
   virtual void Factor(const Matrix& A) = 0;
-  virtual void Solve(RightHandSides& B) const = 0;
+  virtual void Solve(RightHandSides& B, int threads) const = 0;
 };
 
 //------------------------------------------------------------------------------------------------
@@ -44,7 +44,7 @@ public:
       throw SolverError("the system matrix is singular: it cannot be factored");
     }
   }
-  void Solve(RightHandSides& B) const override { B = this->Ldlt.solve(B).eval(); }
+  void Solve(RightHandSides& B, int) const override { B = this->Ldlt.solve(B).eval(); }
 
 private:
   Eigen::SimplicialLDLT<Matrix, Eigen::Lower> Ldlt;
@@ -141,6 +141,7 @@ public:
     {
       throw SolverError("not enough memory to order the system matrix");
     }
+    this->Tasks = SupernodalTasks(this->ViewFactor());
   }
 
   void Factor(const Matrix& A) override
@@ -161,24 +162,28 @@ public:
     }
   }
 
-  void Solve(RightHandSides& B) const override
+  void Solve(RightHandSides& B, int threads) const override
   {
     if (this->Indefinite)
     {
-      this->Indefinite->Solve(B);
+      this->Indefinite->Solve(B, threads);
       return;
     }
-    const cholmod_factor& L = *this->Cholesky;
-    const auto ints = [](void* p) { return static_cast<const int*>(p); };
-    const SupernodalFactor factor = { static_cast<int>(L.n), static_cast<int>(L.nsuper),
-      ints(L.super), ints(L.pi), ints(L.s), ints(L.px), static_cast<const double*>(L.x),
-      ints(L.Perm) };
-    SolveSupernodal(factor, B, this->Work);
+    SolveSupernodal(this->ViewFactor(), this->Tasks, B, this->Work, threads);
   }
 
 private:
+  SupernodalFactor ViewFactor() const
+  {
+    const cholmod_factor& L = *this->Cholesky;
+    const auto ints = [](void* p) { return static_cast<const int*>(p); };
+    return { static_cast<int>(L.n), static_cast<int>(L.nsuper), ints(L.super), ints(L.pi),
+      ints(L.s), ints(L.px), static_cast<const double*>(L.x), ints(L.Perm) };
+  }
+
   cholmod_common Common = {};
   cholmod_factor* Cholesky = nullptr;
+  SupernodalTasks Tasks;                           // of the symbolic factor
   mutable std::vector<double> Work;                // of SolveSupernodal
   std::unique_ptr<EigenImplementation> Indefinite; // set when the matrix is not positive definite
 };
@@ -229,9 +234,9 @@ void SparseCholesky::Factor(const Matrix& A)
   this->Impl->Factor(A);
 }
 
-void SparseCholesky::Solve(RightHandSides& B) const
+void SparseCholesky::Solve(RightHandSides& B, int threads) const
 {
-  this->Impl->Solve(B);
+  this->Impl->Solve(B, threads);
   if (!B.allFinite())
   {
     throw SolverError(

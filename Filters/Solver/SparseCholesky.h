@@ -47,7 +47,7 @@ public:
   /// singular
   void Factor(const Matrix& A);
   /// Replaces B (n x 3) by A^-1 B. @throw SolverError if the result is not finite
-  void Solve(RightHandSides& B) const;
+  void Solve(RightHandSides& B, int threads = 1) const;
 
 private:
   class Implementation;

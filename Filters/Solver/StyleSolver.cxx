@@ -118,7 +118,7 @@ public:
   void SolveGlobal(Points& Q) override
   {
     this->Energy.RightHandSide(this->R, this->B);
-    this->Global.Solve(this->B, Q);
+    this->Global.Solve(this->B, Q, this->Energy.GetThreads());
     this->MoveComponents(Q);
   }
 

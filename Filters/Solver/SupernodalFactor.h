@@ -30,11 +30,44 @@ struct SupernodalFactor
   const int* permutation = nullptr; ///< row k of P A P^T is row permutation[k] of A
 };
 
-/// Replaces B by A^-1 B. The factor is read twice, from end to end, and that is what it costs.
+/// Which supernodes can be worked on at the same time: subtrees of the elimination tree, which
+/// touch no column of each other, and the rest, the top. Depends on the factor alone and not on the
+/// number of threads, so that sums have one order.
+class SupernodalTasks
+{
+public:
+  SupernodalTasks() = default;
+  explicit SupernodalTasks(const SupernodalFactor& factor);
+
+  /// Supernodes first..last - 1.
+  struct Range
+  {
+    int first;
+    int last;
+  };
+  const std::vector<Range>& GetSubtrees() const { return this->Subtrees; }
+  /// The others, ascending.
+  const std::vector<int>& GetTop() const { return this->Top; }
+  /// Columns of the top, numbered in their order; -1 for those of a subtree.
+  const std::vector<int>& GetTopColumns() const { return this->TopColumns; }
+  int GetNumberOfTopColumns() const { return this->NumberOfTopColumns; }
+  /// Of any supernode.
+  int GetLargestNumberOfRows() const { return this->LargestNumberOfRows; }
+
+private:
+  std::vector<Range> Subtrees;
+  std::vector<int> Top;
+  std::vector<int> TopColumns;
+  int NumberOfTopColumns = 0;
+  int LargestNumberOfRows = 0;
+};
+
+/// Replaces B by A^-1 B. The factor is read twice, from end to end, and that is what it costs. The
+/// same bits for any number of threads.
 /// @param B  n x 3 @param work  scratch, kept between calls
-void SolveSupernodal(const SupernodalFactor& factor,
+void SolveSupernodal(const SupernodalFactor& factor, const SupernodalTasks& tasks,
   Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> B,
-  std::vector<double>& work);
+  std::vector<double>& work, int threads);
 } // namespace SphericalStyle
 
 #endif

@@ -5,9 +5,11 @@
 // triangular blocks make a factor: they need not come from a factorisation.
 #include "Check.h"
 #include "Meshes.h"
+#include "SparseCholesky.h"
 #include "SupernodalFactor.h"
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <numeric>
@@ -27,60 +29,84 @@ struct Blocks
   std::vector<int> Rows;
   std::vector<double> Values;
   std::vector<int> Permutation;
-  MatrixXd Dense; // L
+  std::vector<Eigen::Triplet<double>> Entries; // of L
 
-  /// @param widths  of the supernodes @param fill  share of the rows below that they reach
-  Blocks(const std::vector<int>& widths, double fill, Meshes::Random& random)
+  /// A supernode with these rows, its own columns first. @param size  of what is off the diagonal
+  void Add(const std::vector<int>& rows, int width, double size, Meshes::Random& random)
   {
-    const int n = std::accumulate(widths.begin(), widths.end(), 0);
-    this->Dense = MatrixXd::Zero(n, n);
-    for (const int width : widths)
+    const int first = this->FirstColumn.back();
+    for (int j = first; j < first + width; ++j)
     {
-      const int first = this->FirstColumn.back();
-      std::vector<int> rows;
-      for (int i = first; i < n; ++i)
+      for (const int i : rows)
       {
-        if (i < first + width || random.Unit() < fill)
+        const double value = i == j ? 1.5 + random.Unit() : size * random.Signed();
+        this->Values.push_back(i < j ? std::nan("") : value); // means nothing above the diagonal
+        if (i >= j)
         {
-          rows.push_back(i);
+          this->Entries.emplace_back(i, j, value);
         }
       }
-      for (int j = first; j < first + width; ++j)
-      {
-        for (const int i : rows)
-        {
-          const double value = i == j ? 1.5 + random.Unit() : random.Signed() / n;
-          this->Values.push_back(i < j ? std::nan("") : value); // means nothing above the diagonal
-          this->Dense(i, j) = i < j ? 0.0 : value;
-        }
-      }
-      this->Rows.insert(this->Rows.end(), rows.begin(), rows.end());
-      this->FirstColumn.push_back(first + width);
-      this->FirstRow.push_back(static_cast<int>(this->Rows.size()));
-      this->FirstValue.push_back(static_cast<int>(this->Values.size()));
     }
-    this->Permutation.resize(n);
+    this->Rows.insert(this->Rows.end(), rows.begin(), rows.end());
+    this->FirstColumn.push_back(first + width);
+    this->FirstRow.push_back(static_cast<int>(this->Rows.size()));
+    this->FirstValue.push_back(static_cast<int>(this->Values.size()));
+  }
+
+  void Permute(Meshes::Random& random)
+  {
+    this->Permutation.resize(this->FirstColumn.back());
     std::iota(this->Permutation.begin(), this->Permutation.end(), 0);
-    for (int i = n - 1; i > 0; --i)
+    for (int i = this->FirstColumn.back() - 1; i > 0; --i)
     {
       std::swap(this->Permutation[i], this->Permutation[static_cast<int>(random.Unit() * (i + 1))]);
     }
   }
 
+  Eigen::SparseMatrix<double> Sparse() const
+  {
+    Eigen::SparseMatrix<double> L(this->FirstColumn.back(), this->FirstColumn.back());
+    L.setFromTriplets(this->Entries.begin(), this->Entries.end());
+    return L;
+  }
+
   SupernodalFactor View() const
   {
-    return { static_cast<int>(this->Dense.rows()), static_cast<int>(this->FirstColumn.size()) - 1,
+    return { this->FirstColumn.back(), static_cast<int>(this->FirstColumn.size()) - 1,
       this->FirstColumn.data(), this->FirstRow.data(), this->Rows.data(), this->FirstValue.data(),
       this->Values.data(), this->Permutation.data() };
   }
 };
 
+/// @param widths  of the supernodes @param fill  share of the rows below that they reach
+Blocks RandomBlocks(const std::vector<int>& widths, double fill, Meshes::Random& random)
+{
+  Blocks blocks;
+  const int n = std::accumulate(widths.begin(), widths.end(), 0);
+  for (const int width : widths)
+  {
+    const int first = blocks.FirstColumn.back();
+    std::vector<int> rows;
+    for (int i = first; i < n; ++i)
+    {
+      if (i < first + width || random.Unit() < fill)
+      {
+        rows.push_back(i);
+      }
+    }
+    blocks.Add(rows, width, 1.0 / n, random);
+  }
+  blocks.Permute(random);
+  return blocks;
+}
+
 void CheckSolve(const std::vector<int>& widths, double fill, Meshes::Random& random)
 {
-  const Blocks blocks(widths, fill, random);
-  const auto n = static_cast<int>(blocks.Dense.rows());
+  const Blocks blocks = RandomBlocks(widths, fill, random);
+  const MatrixXd L = blocks.Sparse();
+  const auto n = static_cast<int>(L.rows());
   // Row k of P A P^T is row permutation[k] of A.
-  const MatrixXd permuted = blocks.Dense * blocks.Dense.transpose();
+  const MatrixXd permuted = L * L.transpose();
   MatrixXd A(n, n);
   A(blocks.Permutation, blocks.Permutation) = permuted;
   RowMajor3 x(n, 3);
@@ -90,18 +116,133 @@ void CheckSolve(const std::vector<int>& widths, double fill, Meshes::Random& ran
   }
   RowMajor3 solved = A * x;
   std::vector<double> work(3, std::nan("")); // what is left in it must not matter
-  SolveSupernodal(blocks.View(), solved, work);
+  const SupernodalTasks tasks(blocks.View());
+  SolveSupernodal(blocks.View(), tasks, solved, work, 1);
   CHECK((solved - x).cwiseAbs().maxCoeff() <= 1e-13,
     "supernodes of " << widths.front() << ".." << widths.back() << " columns, fill " << fill
                      << ": off by " << (solved - x).cwiseAbs().maxCoeff());
   RowMajor3 again = A * x;
-  SolveSupernodal(blocks.View(), again, work);
-  CHECK(again == solved, "a second solve should give the same bits");
+  SolveSupernodal(blocks.View(), tasks, again, work, 2);
+  CHECK(again == solved, "a second solve, on two threads, should give the same bits");
+}
+
+/// Leaves of a few columns that reach into one supernode at the end, as a tree of many subtrees.
+Blocks Arrow(int leaves, int width, int top, Meshes::Random& random)
+{
+  Blocks blocks;
+  const int n = leaves * width + top;
+  for (int s = 0; s <= leaves; ++s)
+  {
+    std::vector<int> rows(s < leaves ? width : top);
+    std::iota(rows.begin(), rows.end(), s * width);
+    for (int i = n - top; s < leaves && i < n; ++i)
+    {
+      if (i == n - top || random.Unit() < 0.5)
+      {
+        rows.push_back(i);
+      }
+    }
+    blocks.Add(rows, s < leaves ? width : top, 0.01, random);
+  }
+  blocks.Permute(random);
+  return blocks;
+}
+
+void TestSubtrees()
+{
+  Meshes::Random random(2);
+  const Blocks blocks = Arrow(3000, 3, 11, random);
+  const SupernodalFactor factor = blocks.View();
+  const SupernodalTasks tasks(factor);
+  CHECK(tasks.GetSubtrees().size() > 10,
+    "there should be subtrees, there are " << tasks.GetSubtrees().size());
+  std::vector<int> covered(factor.numberOfSupernodes, 0);
+  for (const SupernodalTasks::Range& range : tasks.GetSubtrees())
+  {
+    for (int s = range.first; s < range.last; ++s)
+    {
+      ++covered[s];
+    }
+  }
+  for (const int s : tasks.GetTop())
+  {
+    ++covered[s];
+  }
+  CHECK(std::all_of(covered.begin(), covered.end(), [](int times) { return times == 1; }),
+    "every supernode should be worked on once");
+
+  const Eigen::SparseMatrix<double> L = blocks.Sparse();
+  const int n = factor.numberOfColumns;
+  RowMajor3 x(n, 3);
+  for (int i = 0; i < n; ++i)
+  {
+    x.row(i) = random.InCube();
+  }
+  const RowMajor3 permuted = L * (L.transpose() * x);
+  RowMajor3 b(n, 3);
+  RowMajor3 expected(n, 3);
+  b(blocks.Permutation, Eigen::all) = permuted;
+  expected(blocks.Permutation, Eigen::all) = x;
+  RowMajor3 first;
+  for (const int threads : { 1, 2, 3, 16 })
+  {
+    RowMajor3 solved = b;
+    std::vector<double> work;
+    SolveSupernodal(factor, tasks, solved, work, threads);
+    CHECK((solved - expected).cwiseAbs().maxCoeff() <= 1e-12,
+      "off by " << (solved - expected).cwiseAbs().maxCoeff());
+    first = threads == 1 ? solved : first;
+    CHECK(solved == first, threads << " threads should give the same bits as one");
+  }
+}
+
+/// A factor as it comes, of a grid: its tree is one of nested parts.
+void TestGrid()
+{
+  const int side = 120;
+  const int n = side * side;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < n; ++i)
+  {
+    entries.emplace_back(i, i, 4.01);
+    if ((i + 1) % side != 0)
+    {
+      entries.emplace_back(i + 1, i, -1.0);
+    }
+    if (i + side < n)
+    {
+      entries.emplace_back(i + side, i, -1.0);
+    }
+  }
+  SparseCholesky::Matrix A(n, n);
+  A.setFromTriplets(entries.begin(), entries.end());
+  SparseCholesky cholesky;
+  cholesky.Analyze(A);
+  cholesky.Factor(A);
+  Meshes::Random random(3);
+  SparseCholesky::RightHandSides x(n, 3);
+  for (int i = 0; i < n; ++i)
+  {
+    x.row(i) = random.InCube();
+  }
+  const SparseCholesky::RightHandSides b = A.selfadjointView<Eigen::Lower>() * x;
+  SparseCholesky::RightHandSides first;
+  for (const int threads : { 1, 2, 5 })
+  {
+    SparseCholesky::RightHandSides solved = b;
+    cholesky.Solve(solved, threads);
+    CHECK((solved - x).cwiseAbs().maxCoeff() <= 1e-12,
+      "grid: off by " << (solved - x).cwiseAbs().maxCoeff());
+    first = threads == 1 ? solved : first;
+    CHECK(solved == first, "grid: " << threads << " threads should give the same bits as one");
+  }
 }
 }
 
 int main()
 {
+  TestSubtrees();
+  TestGrid();
   Meshes::Random random(1);
   for (const double fill : { 0.0, 0.2, 1.0 })
   {
