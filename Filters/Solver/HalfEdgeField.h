@@ -32,6 +32,8 @@ public:
   {
   }
 
+  /// Whether it is the difference of a field of the points.
+  bool IsDifference() const { return this->Potential != nullptr; }
   bool IsEmpty() const { return !this->Potential && this->Vectors.rows() == 0; }
 
   /// The three vectors of triangle f as columns.
@@ -79,6 +81,15 @@ public:
       {
         vectors[k] = this->Scale * (x[HalfEdgeStart(k)] - x[HalfEdgeEnd(k)]);
       }
+    }
+
+    /// Of a difference, where corners 0 and 1 lie from corner 2: the half-edges are [1], -[0] and
+    /// [0] - [1].
+    SPHERICALSTYLE_INLINE void ReadFromLast(const int* corner, Vector4 x[2]) const
+    {
+      const Vector4 last = this->Point(corner[2]);
+      x[0] = this->Scale * (this->Point(corner[0]) - last);
+      x[1] = this->Scale * (this->Point(corner[1]) - last);
     }
 
   private:

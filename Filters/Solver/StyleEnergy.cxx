@@ -112,7 +112,7 @@ void StyleEnergy::PrepareSteps(const CellPattern& pattern, CellPulls pulls)
 
 namespace
 {
-/// What SumResiduals reads.
+/// What the sums of residuals read.
 struct ResidualArrays
 {
   const int* F;
@@ -167,6 +167,66 @@ void SumResiduals(const ResidualArrays& a, int begin, int end, EnergyTerms& ener
   energy.rigid = rigid[0] + rigid[1] + rigid[2];
   energy.spherical = spherical[0] + spherical[1] + spherical[2];
 }
+
+/// For one term: squares of the residuals x - R y of the three half-edges, from those of the
+/// corners 0 and 1 as seen from corner 2.
+struct Squares
+{
+  Vector4 of[3] = {};
+
+  SPHERICALSTYLE_INLINE void Add(const Columns4& R, const Vector4 x[2], const Vector4 y[2])
+  {
+    const Vector4 u0 = x[0] - R * y[0];
+    const Vector4 u1 = x[1] - R * y[1];
+    const Vector4 between = u0 - u1;
+    this->of[0] += u1 * u1;
+    this->of[1] += u0 * u0;
+    this->of[2] += between * between;
+  }
+
+  SPHERICALSTYLE_INLINE Vector4 Sum(const double* weights) const
+  {
+    return weights[0] * this->of[0] + weights[1] * this->of[1] + weights[2] * this->of[2];
+  }
+};
+
+/// SumResiduals where all fields are differences: two products with a rotation in place of three.
+SPHERICALSTYLE_PER_INSTRUCTION_SET
+void SumResidualsOfDifferences(const ResidualArrays& a, int begin, int end, EnergyTerms& energy)
+{
+  Vector4 rigid = {};
+  Vector4 spherical = {};
+  for (int t = begin; t < end; ++t)
+  {
+    const int* corner = a.F + 3 * static_cast<std::ptrdiff_t>(t);
+    Vector4 current[2];
+    Vector4 e[2];
+    Vector4 delta[2];
+    a.current.ReadFromLast(corner, current);
+    a.e.ReadFromLast(corner, e);
+    a.delta.ReadFromLast(corner, delta);
+    Vector4 base[2] = { current[0], current[1] };
+    if (a.hasFixed)
+    {
+      Vector4 fixed[2];
+      a.f.ReadFromLast(corner, fixed);
+      base[0] -= fixed[0];
+      base[1] -= fixed[1];
+    }
+    Squares rigidSquares;
+    Squares sphericalSquares;
+    for (int y = 0; y < 3; ++y)
+    {
+      const Columns4 R = LoadColumns(a.R + 9 * static_cast<std::ptrdiff_t>(corner[y]));
+      rigidSquares.Add(R, current, e);
+      sphericalSquares.Add(R, base, delta);
+    }
+    rigid += rigidSquares.Sum(a.c + 3 * static_cast<std::ptrdiff_t>(t));
+    spherical += sphericalSquares.Sum(a.l + 3 * static_cast<std::ptrdiff_t>(t));
+  }
+  energy.rigid = rigid[0] + rigid[1] + rigid[2];
+  energy.spherical = spherical[0] + spherical[1] + spherical[2];
+}
 }
 
 EnergyTerms StyleEnergy::Evaluate(const Points& Q, const Matrices& R) const
@@ -177,11 +237,14 @@ EnergyTerms StyleEnergy::Evaluate(const Points& Q, const Matrices& R) const
   const ResidualArrays arrays = { F.data(), R.data()->data(), Reader(current), Reader(this->Edges),
     Reader(this->TurningTargets), Reader(this->FixedTargets), this->HasFixedTargets(),
     this->Weights.c.data(), this->Weights.l.data() };
+  const bool differences = this->Edges.IsDifference() && this->TurningTargets.IsDifference() &&
+    (this->FixedTargets.IsDifference() || !this->HasFixedTargets());
+  const auto sum = differences ? SumResidualsOfDifferences : SumResiduals;
   return ParallelSum(static_cast<int>(F.rows()), this->Threads, EnergyTerms(),
     [&](int begin, int end)
     {
       EnergyTerms energy;
-      SumResiduals(arrays, begin, end, energy);
+      sum(arrays, begin, end, energy);
       return energy;
     });
 }

@@ -48,95 +48,91 @@ struct Sums
 SPHERICALSTYLE_INLINE void SolveForward(
   const SupernodalFactor& L, int s, const Sums& sums, Vector4* w)
 {
+  const Supernode node = At(L, s);
+  Vector4* own = sums.x + L.firstColumn[s];
+  std::fill(w + node.columns, w + node.rows, Vector4{});
+  std::copy(own, own + node.columns, w);
+  int j = 0;
+  for (; j + Width <= node.columns; j += Width)
   {
-    const Supernode node = At(L, s);
-    Vector4* own = sums.x + L.firstColumn[s];
-    std::fill(w + node.columns, w + node.rows, Vector4{});
-    std::copy(own, own + node.columns, w);
-    int j = 0;
-    for (; j + Width <= node.columns; j += Width)
+    const double* c[Width] = { node.Column(j), node.Column(j + 1), node.Column(j + 2),
+      node.Column(j + 3) };
+    for (int k = 0; k < Width; ++k)
     {
-      const double* c[Width] = { node.Column(j), node.Column(j + 1), node.Column(j + 2),
-        node.Column(j + 3) };
-      for (int k = 0; k < Width; ++k)
+      for (int i = 0; i < k; ++i)
       {
-        for (int i = 0; i < k; ++i)
-        {
-          w[j + k] -= c[i][j + k] * w[j + i];
-        }
-        w[j + k] /= c[k][j + k];
+        w[j + k] -= c[i][j + k] * w[j + i];
       }
-      const Vector4 y[Width] = { w[j], w[j + 1], w[j + 2], w[j + 3] };
-      for (int i = j + Width; i < node.rows; ++i)
-      {
-        w[i] -= c[0][i] * y[0] + c[1][i] * y[1] + c[2][i] * y[2] + c[3][i] * y[3];
-      }
+      w[j + k] /= c[k][j + k];
     }
-    for (; j < node.columns; ++j)
+    const Vector4 y[Width] = { w[j], w[j + 1], w[j + 2], w[j + 3] };
+    for (int i = j + Width; i < node.rows; ++i)
     {
-      const double* c = node.Column(j);
-      w[j] /= c[j];
-      for (int i = j + 1; i < node.rows; ++i)
-      {
-        w[i] -= c[i] * w[j];
-      }
+      w[i] -= c[0][i] * y[0] + c[1][i] * y[1] + c[2][i] * y[2] + c[3][i] * y[3];
     }
-    std::copy(w, w + node.columns, own);
-    for (int i = node.columns; i < node.rows; ++i)
+  }
+  for (; j < node.columns; ++j)
+  {
+    const double* c = node.Column(j);
+    w[j] /= c[j];
+    for (int i = j + 1; i < node.rows; ++i)
     {
-      const int row = node.row[i];
-      const int top = sums.top ? sums.topColumns[row] : -1;
-      (top < 0 ? sums.x[row] : sums.top[top]) += w[i];
+      w[i] -= c[i] * w[j];
     }
+  }
+  std::copy(w, w + node.columns, own);
+  for (int i = node.columns; i < node.rows; ++i)
+  {
+    const int row = node.row[i];
+    const int top = sums.top ? sums.topColumns[row] : -1;
+    (top < 0 ? sums.x[row] : sums.top[top]) += w[i];
   }
 }
 
 /// x := L^-T x for the columns of one supernode.
 SPHERICALSTYLE_INLINE void SolveBackward(const SupernodalFactor& L, int s, Vector4* x, Vector4* w)
 {
+  const Supernode node = At(L, s);
+  Vector4* own = x + L.firstColumn[s];
+  std::copy(own, own + node.columns, w);
+  for (int i = node.columns; i < node.rows; ++i)
   {
-    const Supernode node = At(L, s);
-    Vector4* own = x + L.firstColumn[s];
-    std::copy(own, own + node.columns, w);
-    for (int i = node.columns; i < node.rows; ++i)
-    {
-      w[i] = x[node.row[i]];
-    }
-    int j = node.columns;
-    for (; j % Width != 0; --j)
-    {
-      const double* c = node.Column(j - 1);
-      Vector4 sum = w[j - 1];
-      for (int i = j; i < node.rows; ++i)
-      {
-        sum -= c[i] * w[i];
-      }
-      w[j - 1] = sum / c[j - 1];
-    }
-    for (j -= Width; j >= 0; j -= Width)
-    {
-      const double* c[Width] = { node.Column(j), node.Column(j + 1), node.Column(j + 2),
-        node.Column(j + 3) };
-      Vector4 y[Width] = { w[j], w[j + 1], w[j + 2], w[j + 3] };
-      for (int i = j + Width; i < node.rows; ++i)
-      {
-        for (int k = 0; k < Width; ++k)
-        {
-          y[k] -= c[k][i] * w[i];
-        }
-      }
-      for (int k = Width - 1; k >= 0; --k)
-      {
-        for (int i = k + 1; i < Width; ++i)
-        {
-          y[k] -= c[k][j + i] * y[i];
-        }
-        y[k] /= c[k][j + k];
-        w[j + k] = y[k];
-      }
-    }
-    std::copy(w, w + node.columns, own);
+    w[i] = x[node.row[i]];
   }
+  int j = node.columns;
+  for (; j % Width != 0; --j)
+  {
+    const double* c = node.Column(j - 1);
+    Vector4 sum = w[j - 1];
+    for (int i = j; i < node.rows; ++i)
+    {
+      sum -= c[i] * w[i];
+    }
+    w[j - 1] = sum / c[j - 1];
+  }
+  for (j -= Width; j >= 0; j -= Width)
+  {
+    const double* c[Width] = { node.Column(j), node.Column(j + 1), node.Column(j + 2),
+      node.Column(j + 3) };
+    Vector4 y[Width] = { w[j], w[j + 1], w[j + 2], w[j + 3] };
+    for (int i = j + Width; i < node.rows; ++i)
+    {
+      for (int k = 0; k < Width; ++k)
+      {
+        y[k] -= c[k][i] * w[i];
+      }
+    }
+    for (int k = Width - 1; k >= 0; --k)
+    {
+      for (int i = k + 1; i < Width; ++i)
+      {
+        y[k] -= c[k][j + i] * y[i];
+      }
+      y[k] /= c[k][j + k];
+      w[j + k] = y[k];
+    }
+  }
+  std::copy(w, w + node.columns, own);
 }
 
 SPHERICALSTYLE_PER_INSTRUCTION_SET
