@@ -39,30 +39,6 @@ std::string Percent(double share)
   return std::to_string(std::lround(100.0 * share)) + " %";
 }
 
-/// Six times the signed volume of the tetrahedron of a triangle and an apex.
-double TripleProduct(const Points& P, const Triangles& F, Eigen::Index f, const Eigen::Vector3d& O)
-{
-  const Eigen::Vector3d a = P.row(F(f, 0)).transpose() - O;
-  const Eigen::Vector3d b = P.row(F(f, 1)).transpose() - O;
-  const Eigen::Vector3d c = P.row(F(f, 2)).transpose() - O;
-  return a.dot(b.cross(c));
-}
-
-/// Of a triangle seen from O, with the sign of TripleProduct (Van Oosterom, Strackee, The solid
-/// angle of a plane triangle, 1983).
-double SolidAngle(const Points& P, const Triangles& F, Eigen::Index f, const Eigen::Vector3d& O)
-{
-  Eigen::Matrix3d x;
-  for (int k = 0; k < 3; ++k)
-  {
-    x.col(k) = P.row(F(f, k)).transpose() - O;
-  }
-  const Eigen::RowVector3d r = x.colwise().norm();
-  const double below = r.prod() + x.col(0).dot(x.col(1)) * r(2) + x.col(1).dot(x.col(2)) * r(0) +
-    x.col(2).dot(x.col(0)) * r(1);
-  return 2.0 * std::atan2(TripleProduct(P, F, f, O), below);
-}
-
 using Sums = Eigen::Array4d;
 
 /// Sum of item(f) over the triangles.

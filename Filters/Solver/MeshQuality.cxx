@@ -29,18 +29,24 @@ Eigen::Vector3d UnitNormal(const Points& P, const Triangles& F, Eigen::Index f)
 }
 }
 
+int EdgeBalance(const Triangles& F, const MeshEdges& edges, int e)
+{
+  int balance = 0;
+  for (int i = edges.GetOffset()[e]; i < edges.GetOffset()[e + 1]; ++i)
+  {
+    const int h = edges.GetHalfEdges()[i];
+    balance += StartPoint(F, h) < EndPoint(F, h) ? 1 : -1;
+  }
+  return balance;
+}
+
 EdgeCounts CountEdges(const Triangles& F, const MeshEdges& edges)
 {
   EdgeCounts counts;
   counts.closed = F.rows() > 0;
   for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
   {
-    int balance = 0;
-    for (int i = edges.GetOffset()[e]; i < edges.GetOffset()[e + 1]; ++i)
-    {
-      const int h = edges.GetHalfEdges()[i];
-      balance += StartPoint(F, h) < EndPoint(F, h) ? 1 : -1;
-    }
+    const int balance = EdgeBalance(F, edges, e);
     const int valence = edges.GetValence(e);
     counts.border += valence == 1;
     counts.nonManifold += valence > 2;
@@ -67,16 +73,22 @@ Eigen::MatrixX2d ExtremeAngles(const Points& P, const Triangles& F)
   return angles;
 }
 
+double EdgeSum(const HalfEdgeScalars& c, const MeshEdges& edges, int e)
+{
+  double sum = 0.0;
+  for (int i = edges.GetOffset()[e]; i < edges.GetOffset()[e + 1]; ++i)
+  {
+    sum += c.data()[edges.GetHalfEdges()[i]];
+  }
+  return sum;
+}
+
 WeightReport CheckWeights(const HalfEdgeScalars& c, const MeshEdges& edges)
 {
   WeightReport report;
   for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
   {
-    double w = 0.0;
-    for (int i = edges.GetOffset()[e]; i < edges.GetOffset()[e + 1]; ++i)
-    {
-      w += c.data()[edges.GetHalfEdges()[i]];
-    }
+    const double w = EdgeSum(c, edges, e);
     if (w < -RightAngle)
     {
       ++report.negative;

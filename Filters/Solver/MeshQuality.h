@@ -22,6 +22,9 @@ struct EdgeCounts
   /// volume.
   bool closed = false;
 };
+/// How many triangles run through edge e from its smaller to its larger point, less those that run
+/// the other way.
+int EdgeBalance(const Triangles& F, const MeshEdges& edges, int e);
 EdgeCounts CountEdges(const Triangles& F, const MeshEdges& edges);
 
 /// m x 2, smallest and largest angle of each triangle, degrees.
@@ -34,6 +37,8 @@ struct WeightReport
   /// border, where one triangle brings c + lambda / 2, as well. 0 if it always is. No unit.
   double lambdaStar = 0.0;
 };
+/// Sum of c over the half-edges on edge e: its weight w (Eq. 2.4) where c is HalfEdgeCotangents.
+double EdgeSum(const HalfEdgeScalars& c, const MeshEdges& edges, int e);
 /// @param c  HalfEdgeCotangents
 WeightReport CheckWeights(const HalfEdgeScalars& c, const MeshEdges& edges);
 

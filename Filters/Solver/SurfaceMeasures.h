@@ -20,6 +20,13 @@ Eigen::VectorXd PointAreas(const Points& P, const Triangles& F);
 /// Signed volume of a closed surface, positive when oriented outward; for an open one, of the cones
 /// from the mean point to its triangles. length^3.
 double EnclosedVolume(const Points& P, const Triangles& F);
+/// Six times the signed volume of the tetrahedron of triangle f and an apex, length^3: its sum over
+/// a closed surface is six times the volume, for any apex.
+double TripleProduct(const Points& P, const Triangles& F, Eigen::Index f, const Eigen::Vector3d& O);
+/// Of triangle f seen from O, with the sign of TripleProduct, -2 pi to 2 pi (Van Oosterom,
+/// Strackee, The solid angle of a plane triangle, 1983). Its sum over a closed surface is 4 pi
+/// times how often the surface goes around O.
+double SolidAngle(const Points& P, const Triangles& F, Eigen::Index f, const Eigen::Vector3d& O);
 /// Mean of the triangles' centroids, weighted by their areas.
 Eigen::Vector3d AreaCentroid(const Points& P, const Triangles& F);
 /// m x 3 unit normals of the triangles; 0 where there is no area.
