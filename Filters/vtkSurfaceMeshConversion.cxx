@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceMeshConversion.h"
 
+#include "MeshDiagnosis.h"
 #include "SurfaceMeasures.h"
 #include "vtkFilterSupport.h"
 
@@ -31,7 +32,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -47,14 +47,58 @@ using SphericalStyle::Points;
   throw std::invalid_argument(message.str());
 }
 
-void CheckPointId(vtkIdType cell, vtkIdType i, vtkIdType numberOfPoints)
+/// Whether all point ids of the cells lie in 0..numberOfPoints - 1.
+bool AllInRange(vtkCellArray* cells, vtkIdType numberOfPoints)
 {
-  if (i < 0 || i >= numberOfPoints)
+  const auto inRange = [numberOfPoints](auto* ids)
   {
-    std::ostringstream message;
-    message << "Cells: cell " << cell << " names point " << i << ", the input has "
-            << numberOfPoints;
-    Refuse(message);
+    return std::all_of(ids->Begin(), ids->End(),
+      [numberOfPoints](vtkIdType i) { return i >= 0 && i < numberOfPoints; });
+  };
+  return cells->IsStorage64Bit() ? inRange(cells->GetConnectivityArray64())
+                                 : inRange(cells->GetConnectivityArray32());
+}
+
+[[noreturn]] void RefuseFirstOutOfRange(
+  vtkCellArray* cells, vtkIdType firstCell, vtkIdType numberOfPoints)
+{
+  std::ostringstream message;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, ids);
+    const vtkIdType* bad = std::find_if(ids->begin(), ids->end(),
+      [numberOfPoints](vtkIdType i) { return i < 0 || i >= numberOfPoints; });
+    if (bad != ids->end())
+    {
+      message << "Cells: cell " << firstCell + cell << " names point " << *bad << ", the input has "
+              << numberOfPoints;
+      Refuse(message);
+    }
+  }
+  message << "Cells: there are point ids out of range behind those of the last cell";
+  Refuse(message);
+}
+
+/// Cells of all kinds, also those that no filter moves: output and views follow their ids, too.
+void CheckCells(vtkPolyData* input)
+{
+  vtkIdType firstCell = 0;
+  for (vtkCellArray* cells :
+    { input->GetVerts(), input->GetLines(), input->GetPolys(), input->GetStrips() })
+  {
+    if (!cells->IsValid())
+    {
+      std::ostringstream message;
+      message << "Cells: the offsets of the cells from cell " << firstCell
+              << " on do not fit their point ids";
+      Refuse(message);
+    }
+    if (!AllInRange(cells, input->GetNumberOfPoints()))
+    {
+      RefuseFirstOutOfRange(cells, firstCell, input->GetNumberOfPoints());
+    }
+    firstCell += cells->GetNumberOfCells();
   }
 }
 
@@ -111,17 +155,20 @@ private:
   /// Cuts a polygon into triangles (positions in the polygon, three by three).
   void Cut(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
   {
-    const vtkIdType points = this->Input->GetNumberOfPoints();
     Points corners(size, 3);
     for (vtkIdType i = 0; i < size; ++i)
     {
-      CheckPointId(cell, ids[i], points);
       this->Input->GetPoints()->GetPoint(ids[i], corners.row(i).data());
     }
     // Around the origin at size 1: the cut must not depend on place and scale.
     corners.rowwise() -= corners.row(0).eval();
     const double largest = corners.cwiseAbs().maxCoeff();
     corners /= largest > 0.0 ? largest : 1.0;
+    if (!corners.allFinite()) // not finite, or too far apart: nothing for vtkPolygon
+    {
+      this->Fan(cell, size);
+      return;
+    }
     this->Polygon->PointIds->SetNumberOfIds(size);
     this->Polygon->Points->SetDataTypeToDouble();
     this->Polygon->Points->SetNumberOfPoints(size);
@@ -135,6 +182,11 @@ private:
     {
       return;
     }
+    this->Fan(cell, size);
+  }
+
+  void Fan(vtkIdType cell, vtkIdType size)
+  {
     this->FirstFanned = this->Fanned++ == 0 ? cell : this->FirstFanned;
     this->Cuts->Reset();
     for (vtkIdType i = 1; i + 1 < size; ++i)
@@ -162,7 +214,7 @@ void WithTuples(vtkDataArray* array, Body&& body)
   }
 }
 
-Points InputPoints(vtkPolyData* input)
+Points AllPoints(vtkPolyData* input)
 {
   Points x(input->GetNumberOfPoints(), 3);
   WithTuples(input->GetPoints()->GetData(),
@@ -175,16 +227,37 @@ Points InputPoints(vtkPolyData* input)
         {
           x(i, k) = static_cast<double>(tuple[k]);
         }
-        if (!x.row(i).allFinite())
-        {
-          std::ostringstream message;
-          message << "Points: point " << i << " is not finite: (" << x.row(i) << ")";
-          Refuse(message);
-        }
         ++i;
       }
     });
   return x;
+}
+
+Points FinitePoints(vtkPolyData* input)
+{
+  Points x = AllPoints(input);
+  for (Eigen::Index i = 0; i < x.rows(); ++i)
+  {
+    if (!x.row(i).allFinite())
+    {
+      std::ostringstream message;
+      message << "Points: point " << i << " is not finite: (" << x.row(i) << ")";
+      Refuse(message);
+    }
+  }
+  return x;
+}
+
+void CheckSize(std::size_t triangles, std::size_t points)
+{
+  constexpr std::size_t Most = SphericalStyle::MostTriangles;
+  if (triangles > Most || points > Most)
+  {
+    std::ostringstream message;
+    message << "Input: " << triangles << " triangles with " << points
+            << " points are more than the " << Most << " that can be solved at once";
+    Refuse(message);
+  }
 }
 
 /// Whether all faces are the triangles given, and nothing else.
@@ -425,7 +498,8 @@ namespace vtkSurfaceMeshConversion
 vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
 {
   CheckAllNormals(input);
-  Points x = InputPoints(input);
+  CheckCells(input);
+  Points x = FinitePoints(input);
   const std::vector<vtkIdType> first = Representatives(x, weld);
 
   vtkSurfaceMesh surface;
@@ -441,10 +515,6 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
   faces.Visit(
     [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
     {
-      for (const vtkIdType i : { a, b, c })
-      {
-        CheckPointId(cell, i, x.rows());
-      }
       if (!isDegenerate(first[a], first[b], first[c]))
       {
         triangles.push_back({ a, b, c });
@@ -459,14 +529,7 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
   surface.FirstFannedPolygon = faces.FirstFanned;
 
   // Number the used places in the order of the input, so that "last point" means the input's.
-  constexpr std::size_t Most = std::numeric_limits<int>::max() / 9;
-  if (triangles.size() > Most || first.size() > Most)
-  {
-    std::ostringstream message;
-    message << "Input: " << triangles.size() << " triangles are more than the " << Most
-            << " that can be solved at once";
-    Refuse(message);
-  }
+  CheckSize(triangles.size(), first.size());
   std::vector<int> number(first.size(), vtkSurfaceMesh::NotMoved);
   for (const Corners& t : triangles)
   {
@@ -516,6 +579,7 @@ bool Update(vtkPolyData* input, bool weld, vtkSurfaceMesh& surface)
   if (plain && surface.Welded == weld && HasTriangles(input, surface) && HasPoints(input, surface))
   {
     CheckAllNormals(input);
+    CheckCells(input);
     return false;
   }
   surface = {}; // nothing of the old one is kept should the next line throw
