@@ -597,6 +597,30 @@ std::vector<FaceTriangle> Triangles(vtkPolyData* input)
   return triangles;
 }
 
+WholeSurface Whole(vtkPolyData* input)
+{
+  WholeSurface whole;
+  CheckCells(input);
+  whole.Mesh.P = input->GetPoints() ? AllPoints(input) : Points(0, 3);
+  std::vector<int> corners;
+  FaceTriangles faces(input);
+  faces.Visit(
+    [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
+    {
+      for (const vtkIdType i : { a, b, c })
+      {
+        corners.push_back(static_cast<int>(i));
+      }
+      whole.Cells.push_back(cell);
+    });
+  CheckSize(whole.Cells.size(), static_cast<std::size_t>(whole.Mesh.P.rows()));
+  whole.Mesh.F = Eigen::Map<SphericalStyle::Triangles>(
+    corners.data(), static_cast<Eigen::Index>(whole.Cells.size()), 3);
+  whole.FannedPolygons = faces.Fanned;
+  whole.FirstFannedPolygon = faces.FirstFanned;
+  return whole;
+}
+
 std::vector<std::string> Remarks(const vtkSurfaceMesh& surface)
 {
   std::vector<std::string> remarks;

@@ -75,6 +75,21 @@ struct FaceTriangle
 /// @param input  that FromPolyData has found good
 std::vector<FaceTriangle> Triangles(vtkPolyData* input);
 
+/// A surface as it came in: all points, also those that are not finite, and all triangles.
+struct WholeSurface
+{
+  SphericalStyle::TriangleMesh Mesh;
+  std::vector<vtkIdType> Cells; ///< input cell of each triangle, ascending
+  vtkIdType FannedPolygons = 0; ///< that cannot be triangulated
+  vtkIdType FirstFannedPolygon = -1;
+};
+
+/// The input before anything is left out; a polygon with a point that is not finite is a fan.
+/// @param input  may have no points at all
+/// @throw std::invalid_argument naming the first cell with a point id out of range, or too many
+///        triangles or points
+WholeSurface Whole(vtkPolyData* input);
+
 /// What was left out or repaired, in words for warnings.
 std::vector<std::string> Remarks(const vtkSurfaceMesh& surface);
 

@@ -72,6 +72,14 @@ FILTERS = {
         "outputs": ["Sphere", "Image", "Measures"],
         "arrays": ["NormalsArray"],
     },
+    "SurfaceDiagnostics": {
+        "label": "Surface Diagnostics",
+        "known": {"SliverAngle", "WeldCoincidentPoints"},
+        "enumerations": set(),
+        "inputs": ["Input"],
+        "outputs": ["Inspected", "Findings"],
+        "arrays": [],
+    },
     "SurfaceMetrics": {
         "label": "Surface Metrics",
         "known": {"Center", "EstimateCondition", "FindSelfIntersections"},
