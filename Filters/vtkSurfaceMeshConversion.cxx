@@ -233,15 +233,21 @@ Points AllPoints(vtkPolyData* input)
   return x;
 }
 
-Points FinitePoints(vtkPolyData* input)
+/// Sums over as many points as there may be stay finite below this.
+constexpr double LargestCoordinate = 1e300;
+
+Points CheckedPoints(vtkPolyData* input)
 {
   Points x = AllPoints(input);
   for (Eigen::Index i = 0; i < x.rows(); ++i)
   {
-    if (!x.row(i).allFinite())
+    const double largest = x.row(i).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+    if (!(largest <= LargestCoordinate))
     {
       std::ostringstream message;
-      message << "Points: point " << i << " is not finite: (" << x.row(i) << ")";
+      message << "Points: point " << i << " is "
+              << (std::isfinite(largest) ? "farther from the origin than 1e300" : "not finite")
+              << ": (" << x.row(i) << ")";
       Refuse(message);
     }
   }
@@ -295,7 +301,7 @@ bool HasPoints(vtkPolyData* input, const vtkSurfaceMesh& surface)
         for (int k = 0; k < 3; ++k)
         {
           const auto x = static_cast<double>(tuple[k]);
-          same &= at >= 0 ? x == surface.Mesh.P(at, k) : std::isfinite(x);
+          same &= at >= 0 ? x == surface.Mesh.P(at, k) : std::abs(x) <= LargestCoordinate;
         }
       }
     });
@@ -499,7 +505,7 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
 {
   CheckAllNormals(input);
   CheckCells(input);
-  Points x = FinitePoints(input);
+  Points x = CheckedPoints(input);
   const std::vector<vtkIdType> first = Representatives(x, weld);
 
   vtkSurfaceMesh surface;

@@ -52,9 +52,10 @@ enum class TakePoints
 /// Triangles with an angle below 1e-10 (area against the longest edge), or that use a mesh point
 /// twice, are skipped and counted; polygons that cannot be triangulated become fans and are
 /// counted.
-/// @throw std::invalid_argument naming the first point that is not finite, the first cell with a
-///        point id out of range, active normals of another number than points or cells, or too many
-///        points
+/// @throw std::invalid_argument naming the first point that is not finite or beyond 1e300, the
+/// first
+///        cell with a point id out of range, active normals of another number than points or cells,
+///        or too many points
 vtkSurfaceMesh FromPolyData(
   vtkPolyData* input, bool weld, TakePoints take = TakePoints::OfTriangles);
 
