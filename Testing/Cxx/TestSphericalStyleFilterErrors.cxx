@@ -301,6 +301,15 @@ void WrongArrays(Checker& check)
       },
       WithoutArrays);
     ExpectError(
+      check, about + "of too few tuples", { a.property, "\"mine\"", "tuples" },
+      [&](vtkSphericalStyleFilter* filter, vtkPolyData* input)
+      {
+        ask(filter, OfPoints);
+        input->GetPointData()->AddArray(
+          MakeArray("mine", input->GetNumberOfPoints() - 1, a.components, a.good));
+      },
+      WithoutArrays);
+    ExpectError(
       check, about + "strings", { a.property, "\"mine\"" },
       [&](vtkSphericalStyleFilter* filter, vtkPolyData* input)
       {
