@@ -118,7 +118,7 @@ Surface MakeSheet()
   std::vector<Cell> quads;
   for (vtkIdType i = 0; i < 24; ++i)
   {
-    points.push_back({ 1.0 * (i % 6), 1.0 * (i / 6), 2.5 });
+    points.push_back({ static_cast<double>(i % 6), std::floor(static_cast<double>(i) / 6.0), 2.5 });
     if (i >= 6 && i % 6 > 0)
     {
       quads.push_back({ i - 7, i - 6, i, i - 1 });
@@ -149,7 +149,8 @@ Surface MakeDust(vtkIdType n)
   std::vector<Cell> cells;
   for (vtkIdType k = 0; k < n; ++k)
   {
-    const Vector at = { 1.0 * (k % 100), 1.0 * (k / 100), 0.01 * static_cast<double>(k % 7) };
+    const Vector at = { static_cast<double>(k % 100), std::floor(static_cast<double>(k) / 100.0),
+      0.01 * static_cast<double>(k % 7) };
     const vtkIdType i = 4 * k;
     for (const Vector& x : { Vector{ 0, 0, 0 }, { 0.4, 0, 0 }, { 0, 0.4, 0 }, { 0, 0, 0.4 } })
     {
@@ -215,7 +216,7 @@ Surface Squeezed(const Vector& by)
 Surface WithCells(const std::vector<Cell>& verts, const std::vector<Cell>& lines,
   const std::vector<Cell>& polygons, const std::vector<Cell>& strips)
 {
-  const Surface surface = MakeBall();
+  Surface surface = MakeBall();
   surface->SetVerts(MakeCells(verts));
   surface->SetLines(MakeCells(lines));
   surface->SetPolys(MakeCells(polygons));
@@ -225,7 +226,7 @@ Surface WithCells(const std::vector<Cell>& verts, const std::vector<Cell>& lines
 
 Surface With(const std::function<void(vtkPolyData*)>& change)
 {
-  const Surface surface = MakeBall();
+  Surface surface = MakeBall();
   change(surface);
   return surface;
 }
@@ -329,9 +330,9 @@ std::vector<Kind> Broken()
   };
   const auto point = [](double bad)
   { return [bad](vtkPolyData* s) { s->GetPoints()->SetPoint(3, bad, 0.0, 0.0); }; };
-  const auto withNormals = [n](std::vector<Cell> lines, std::vector<Cell> polygons)
+  const auto withNormals = [n](const std::vector<Cell>& lines, const std::vector<Cell>& polygons)
   {
-    const Surface surface = WithCells({}, lines, polygons, {});
+    Surface surface = WithCells({}, lines, polygons, {});
     auto array = MakeAny<vtkFloatArray>("n", surface->GetNumberOfCells(), 3);
     surface->GetCellData()->SetNormals(array);
     return surface;
@@ -409,9 +410,10 @@ Subject Of(
 }
 
 template <typename Filter>
-Subject Observer(const char* name)
+Subject Observer(
+  const char* name, const std::function<void(Filter*)>& set = [](Filter*) {})
 {
-  Subject subject = Of<Filter>(name);
+  Subject subject = Of<Filter>(name, set);
   subject.deforms = false;
   return subject;
 }
@@ -446,6 +448,8 @@ std::vector<Subject> Subjects()
         f->SetFeatureToNonlinear();
         f->SetMaximumNumberOfIterations(5);
       }),
+    Observer<Main>("vtkSphericalStyleFilter with long edges split",
+      [](Main* f) { f->RefineLongEdgesOn(); }), // it has more points then
     Of<vtkCubicStyleFilter>("vtkCubicStyleFilter"),
     Of<vtkNormalAnalogyFilter>("vtkNormalAnalogyFilter"),
     Of<vtkSphereProjectionFilter>("vtkSphereProjectionFilter"),
@@ -454,6 +458,12 @@ std::vector<Subject> Subjects()
     Observer<vtkSurfaceDiagnostics>("vtkSurfaceDiagnostics") };
   all[0].outcome = &Kind::main;
 #ifdef SPHERICALSTYLE_WITH_CGAL
+  all.push_back(Of<Main>("vtkSphericalStyleFilter without folds",
+    [](Main* f)
+    {
+      f->AvoidSelfIntersectionsOn();
+      f->SetNormalBlend(1.0);
+    }));
   all.push_back(Of<vtkConvexProxyDeformFilter>("vtkConvexProxyDeformFilter"));
   all.back().outcome = &Kind::proxy;
 #endif
