@@ -10,6 +10,7 @@
 #include "vtkStyleReview.h"
 #include "vtkSurfaceMeshConversion.h"
 #include "vtkSurfaceRegion.h"
+#include "vtkTargetSphere.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -486,6 +487,7 @@ void vtkSphericalStyleFilter::Internals::SetFacts(
   self->FinalEnergy = loop.history.empty() ? 0.0 : loop.history.back().energy.Total();
   std::copy_n(report.sphere.center.data(), 3, self->EffectiveCenter);
   self->EffectiveRadius = report.sphere.radius;
+  self->EffectiveCenterMode = self->CenterMode;
   const SphericalStyle::FoldGuardReport& guard = this->Guarded.Guard;
   const bool counted = this->Guarded.HasCounted();
   self->TurnedOverBefore = counted ? guard.before.turnedOver : NotCounted;
@@ -587,7 +589,7 @@ vtkSphericalStyleFilter::vtkSphericalStyleFilter()
 {
   NoteBlocks(this);
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(
     NORMALS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::NORMALS);
   for (const int index :
@@ -623,6 +625,18 @@ const char* vtkSphericalStyleFilter::GetAdvice()
 {
   // ParaView asks for it between a change and the execution: it must not show that of the last one.
   return this->AdviceTime.GetMTime() > this->GetMTime() ? this->Advice.c_str() : "";
+}
+
+const char* vtkSphericalStyleFilter::GetCenterPosition()
+{
+  const bool custom = this->CenterMode == CUSTOM_CENTER;
+  const SphericalStyle::TriangleMesh& mesh = this->Internal->Surface.Mesh;
+  if (mesh.F.rows() == 0 || (!custom && this->CenterMode != this->EffectiveCenterMode))
+  {
+    return "";
+  }
+  const Eigen::Vector3d center(custom ? this->Center : this->EffectiveCenter);
+  return vtkTargetSphere::Encloses(mesh, center) ? "Inside" : "Outside";
 }
 
 int vtkSphericalStyleFilter::FillInputPortInformation(int port, vtkInformation* info)
@@ -701,6 +715,7 @@ int vtkSphericalStyleFilter::RequestData(
     output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);
   this->Internal->AttachArrays(this, surface, regionWeights, inputs.Model, output);
   this->Internal->Tell(this, surface, report, Q, history);
+  vtkTargetSphere::Fill(vtkPolyData::GetData(outputVector, 2), report.spheres);
   this->Internal->Guarded = {};
   return 1;
 }
@@ -749,6 +764,7 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FinalEnergy: " << this->FinalEnergy << "\n";
   os << indent << "EffectiveCenter: " << Triple(this->EffectiveCenter) << "\n";
   os << indent << "EffectiveRadius: " << this->EffectiveRadius << "\n";
+  os << indent << "CenterPosition: " << this->GetCenterPosition() << "\n";
   os << indent << "TurnedOverBefore: " << this->TurnedOverBefore << "\n";
   os << indent << "TurnedOverAfter: " << this->TurnedOverAfter << "\n";
   os << indent << "NewIntersectionsBefore: " << this->NewIntersectionsBefore << "\n";

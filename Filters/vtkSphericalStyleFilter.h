@@ -57,6 +57,9 @@
  * AvoidSelfIntersections the table is that of the last solve, and its field data has TurnedOver and
  * NewIntersectingPairs (2: before, after), GuardSolves and GuardSeconds.
  *
+ * Output port 2: vtkPolyData, the target sphere that was used, as circles of longitude and latitude
+ * to look at; one sphere per center id. Empty where there was nothing to solve.
+ *
  * Energy [energy], minimised over points p' and rotations R by local and global steps:
  *
  *     E = sum over triangles f, half-edges h = uv of f, corners y of f of
@@ -590,6 +593,14 @@ public:
   ///@}
 
   /**
+   * Where the center lies: "Inside" or "Outside" of the model of the last execution (for open
+   * surfaces by the solid angle that they fill), or empty before the first and where it is not
+   * known yet. With CenterMode Custom that of Center as it is now, before it is executed, so that
+   * one can ask while dragging it; else of the center that was used. O(triangles) for each call.
+   */
+  const char* GetCenterPosition();
+
+  /**
    * The one change that would improve the result of the last execution most, in one line, from what
    * was measured: "SphericalWeighting Cotangent: 53 % of the triangles are obtuse". Empty where
    * there is none, with ReproduceThesis, with Feature Nonlinear, and from a change of a property to
@@ -659,6 +670,7 @@ private:
   int NewIntersectionsAfter = NotCounted;
   std::string Advice;
   vtkTimeStamp AdviceTime;
+  int EffectiveCenterMode = AREA_CENTROID; // of the last execution
 
   struct Internals; // the solver, kept between executions
   std::unique_ptr<Internals> Internal;

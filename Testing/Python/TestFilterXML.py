@@ -52,7 +52,7 @@ FILTERS = {
         "known": {"Roundness", "Center", "GenerateRotation", "StopRule"},
         "enumerations": {"CenterMode", "OutputPointsPrecision", "StopRule"},
         "inputs": ["Input", "Centers", "Selection"],
-        "outputs": ["Rounded", "Energy"],
+        "outputs": ["Rounded", "Energy", "Target Sphere"],
         "arrays": ["NormalsArray", "RoundnessFactorArray", "NormalBlendArray",
                    "TargetDirectionsArray", "RegionArray", "CenterIdArray"],
     },
@@ -195,6 +195,8 @@ def check_input(port, name, element):
 
 def check_decorator(name, decorator):
     """One that names what is not there hides the property for good, without a word."""
+    if decorator.get("type") == "CompositeDecorator":
+        return  # those in it are looked at one by one
     master = elements.get(decorator.get("property"))
     check(master is not None, f"{name}: decorator of {decorator.get('property')}")
     if master is not None and master.find("EnumerationDomain") is not None:
@@ -259,7 +261,7 @@ for group in proxy.findall("PropertyGroup"):
     for part in group.findall("Property"):
         check(part.get("name") in elements, f"group {group.get('label')}: {part.get('name')}")
 for owner in list(elements.values()) + proxy.findall("PropertyGroup"):
-    for decorator in owner.findall("Hints/PropertyWidgetDecorator"):
+    for decorator in owner.findall("Hints//PropertyWidgetDecorator"):
         check_decorator(owner.get("name") or owner.get("label"), decorator)
 
 for failure in failures:

@@ -73,7 +73,18 @@ assert table.GetClassName() == "vtkTable"
 assert table.GetNumberOfRows() == fact("NumberOfIterations") + 1
 assert table.GetColumnByName("Total") is not None
 assert table.GetFieldData().GetAbstractArray("Advice").GetValue(0) == fact("Advice")
-rounded.SphericalWeighting = "Cotangent"  # followed
+
+# -------------------------------------------------------------------------------- the target sphere
+assert fact("CenterPosition") == "Inside", fact("CenterPosition")
+circles = servermanager.Fetch(rounded, idx=2)
+assert circles.GetNumberOfLines() > 0
+assert all(abs(a - b) < 1e-6 for a, b in zip(
+    circles.GetBounds(), [-0.7, 0.7, -0.7, 0.7, -0.6, 0.8])), circles.GetBounds()
+rounded.Center = [0.0, 0.0, 1.1]
+rounded.UpdatePipelineInformation()  # without an execution
+assert fact("CenterPosition") == "Outside", fact("CenterPosition")
+rounded.Center = [0.0, 0.0, 0.1]
+rounded.SphericalWeighting = "Cotangent"  # the advice followed
 UpdatePipeline(proxy=rounded)
 rounded.UpdatePipelineInformation()
 assert fact("Advice") == "", fact("Advice")
@@ -113,5 +124,6 @@ assert servermanager.Fetch(nonlinear, idx=1).GetFieldData().GetAbstractArray(
 
 # -------------------------------------------------------------- what Apply would open for the table
 controller = vtkSMParaViewPipelineControllerWithRendering()
-assert controller.ShowInPreferredView(rounded.SMProxy, 1, None) is None
-assert not GetViews(), "a view opened for the energy table"
+for port in (1, 2):
+    assert controller.ShowInPreferredView(rounded.SMProxy, port, None) is None, port
+assert not GetViews(), "a view opened for the energy table or the sphere"

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTargetSphere.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <Eigen/Geometry> // for cross
+
+#include <cmath>
+
+namespace
+{
+constexpr int NumberOfMeridians = 8; // whole circles
+constexpr int NumberOfParallels = 7;
+constexpr int NumberOfSegments = 64;
+
+/// Closed: the last point is the first.
+/// @param sphere  that the circle lies on @param a, b  orthogonal, of one length in units of the
+///                radius @param height  of the circle's center along z, in the same unit
+void AddCircle(vtkPoints* points, vtkCellArray* lines, const SphericalStyle::Sphere& sphere,
+  const Eigen::Vector3d& a, const Eigen::Vector3d& b, double height)
+{
+  const vtkIdType first = points->GetNumberOfPoints();
+  lines->InsertNextCell(NumberOfSegments + 1);
+  for (int k = 0; k < NumberOfSegments; ++k)
+  {
+    const double angle = 2.0 * EIGEN_PI * k / NumberOfSegments;
+    const Eigen::Vector3d direction =
+      std::cos(angle) * a + std::sin(angle) * b + height * Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d point = sphere.center + sphere.radius * direction;
+    lines->InsertCellPoint(points->InsertNextPoint(point.data()));
+  }
+  lines->InsertCellPoint(first);
+}
+}
+
+void vtkTargetSphere::Fill(vtkPolyData* output, const std::vector<SphericalStyle::Sphere>& spheres)
+{
+  using Eigen::Vector3d;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (const SphericalStyle::Sphere& sphere : spheres)
+  {
+    for (int k = 0; k < NumberOfMeridians; ++k)
+    {
+      const double angle = EIGEN_PI * k / NumberOfMeridians;
+      AddCircle(
+        points, lines, sphere, { std::cos(angle), std::sin(angle), 0.0 }, Vector3d::UnitZ(), 0.0);
+    }
+    for (int k = 1; k <= NumberOfParallels; ++k)
+    {
+      const double angle = EIGEN_PI * k / (NumberOfParallels + 1);
+      AddCircle(points, lines, sphere, std::sin(angle) * Vector3d::UnitX(),
+        std::sin(angle) * Vector3d::UnitY(), std::cos(angle));
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+}
+
+bool vtkTargetSphere::Encloses(
+  const SphericalStyle::TriangleMesh& mesh, const Eigen::Vector3d& point)
+{
+  double half = 0.0; // of the solid angle (van Oosterom, Strackee, 1983)
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+  {
+    const Eigen::Vector3d a = mesh.P.row(mesh.F(f, 0)).transpose() - point;
+    const Eigen::Vector3d b = mesh.P.row(mesh.F(f, 1)).transpose() - point;
+    const Eigen::Vector3d c = mesh.P.row(mesh.F(f, 2)).transpose() - point;
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    half +=
+      std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return std::abs(half) > EIGEN_PI;
+}

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The target sphere as something to look at, and whether its center is in the model. Private.
+#ifndef vtkTargetSphere_h
+#define vtkTargetSphere_h
+
+#include "StyleSolver.h" // for the types of the solver
+
+#include <vector>
+
+class vtkPolyData;
+
+namespace vtkTargetSphere
+{
+/// Fills `output` with circles of longitude and latitude around each center, axis z. Lines, so that
+/// the model is seen through them however they are shown.
+void Fill(vtkPolyData* output, const std::vector<SphericalStyle::Sphere>& spheres);
+
+/// Whether the surface winds around the point: the solid angles of its triangles sum to more than
+/// 2 pi, half the full angle, in size. Holes so count as closed where they are narrow. The
+/// triangles must agree on their outside; which it is does not matter. O(m).
+bool Encloses(const SphericalStyle::TriangleMesh& mesh, const Eigen::Vector3d& point);
+}
+
+#endif

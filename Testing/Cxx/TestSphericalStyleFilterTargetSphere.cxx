@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// What there is to look at of the target sphere: the third output lies on it, and the filter tells
+/// whether its center is in the model.
+#include "FilterTesting.h"
+
+#include "vtkIntArray.h"
+
+#include <sstream>
+
+using namespace FilterTesting;
+
+namespace
+{
+void Output(Checker& check)
+{
+  check.About("third output");
+  WatchedFilter filter(MakeEllipsoid({ 1.0, 2.0, 3.0 }));
+  filter->SetCenterModeToCustom();
+  filter->SetCenter(0.1, -0.2, 0.3);
+  filter->SetRadiusModeToCustom();
+  filter->SetRadius(1.7);
+  vtkPolyData* sphere = filter.Output(2);
+  const vtkIdType n = sphere->GetNumberOfPoints();
+  check(
+    n > 0 && sphere->GetNumberOfLines() > 0 && sphere->GetNumberOfPolys() == 0, "should be lines");
+  double off = 0.0;
+  double low[3] = { 9.0, 9.0, 9.0 };
+  double high[3] = { -9.0, -9.0, -9.0 };
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const Vector x = PointOf(sphere, i);
+    off = std::max(off, std::abs(Distance(x, { 0.1, -0.2, 0.3 }) - 1.7));
+    for (int k = 0; k < 3; ++k)
+    {
+      low[k] = std::min(low[k], x[k]);
+      high[k] = std::max(high[k], x[k]);
+    }
+  }
+  check.AtMost(off, 1e-14, "distance to the sphere");
+  for (int k = 0; k < 3; ++k)
+  {
+    check.AtMost(std::abs(high[k] - low[k] - 2.0 * 1.7), 1e-14, "diameter along an axis");
+  }
+
+  // The mean of a symmetric body, and the radius of its area.
+  filter->SetCenterModeToAreaCentroid();
+  filter->SetRadiusModeToEqualArea();
+  sphere = filter.Output(2);
+  check.AtMost(
+    std::abs(Distance(PointOf(sphere, 0), { 0.0, 0.0, 0.0 }) - filter->GetEffectiveRadius()), 1e-12,
+    "distance of the sphere in effect");
+  filter->SetFeatureToNonlinear();
+  check(filter.Output(2)->GetNumberOfPoints() == n, "should be there with Feature Nonlinear");
+
+  check.About("third output of nothing");
+  WatchedFilter empty(Surface::New());
+  check(empty.Output(2)->GetNumberOfPoints() == 0, "should be empty");
+}
+
+void SeveralCenters(Checker& check)
+{
+  check.About("several centers");
+  WatchedFilter one(MakeEllipsoid({ 1.0, 1.0, 1.0 }));
+  const vtkIdType points = one.Output(2)->GetNumberOfPoints();
+  const Surface apart = Together({ MakeEllipsoid({ 1.0, 1.0, 1.0 }),
+    Shifted(MakeEllipsoid({ 1.0, 1.0, 1.0 }), { 5.0, 0.0, 0.0 }) });
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("CenterId");
+  for (vtkIdType i = 0; i < apart->GetNumberOfPoints(); ++i)
+  {
+    ids->InsertNextValue(2 * i < apart->GetNumberOfPoints() ? 0 : 1);
+  }
+  apart->GetPointData()->AddArray(ids);
+  WatchedFilter two(apart);
+  two->SetInputArrayToProcess(5, 0, 0, OfPoints, "CenterId");
+  vtkPolyData* spheres = two.Output(2);
+  check(spheres->GetNumberOfPoints() == 2 * points, "should be a sphere for each");
+  check.AtMost(std::abs(PointOf(spheres, points)[0] - PointOf(spheres, 0)[0] - 5.0), 1e-9,
+    "distance of the second from where it should be");
+}
+
+/// The method's; it must be that of PrintSelf too.
+std::string Position(Checker& check, WatchedFilter& filter)
+{
+  const std::string position = filter->GetCenterPosition();
+  std::ostringstream text;
+  filter->Print(text);
+  check(Contains(text.str(), "CenterPosition: " + position + "\n"), "PrintSelf should print it");
+  return position;
+}
+
+void Inside(Checker& check, const std::string& about, vtkPolyData* model)
+{
+  check.About(about);
+  WatchedFilter filter(model);
+  check(Position(check, filter).empty(), "nothing is known before the first execution");
+  filter.Output();
+  check(Position(check, filter) == "Inside", "the centroid should be inside");
+  filter->SetRoundness(1.0);
+  check(Position(check, filter) == "Inside", "the center has not moved");
+  filter->SetCenterModeToCustom();
+  for (const auto& [z, position] : { std::pair(0.95, "Inside"), std::pair(1.05, "Outside"),
+         std::pair(-0.9, "Inside"), std::pair(-9.0, "Outside") })
+  {
+    filter->SetCenter(0.0, 0.0, z);
+    const std::string where = "z = " + vtkVariant(z).ToString() + " should be " + position;
+    check(Position(check, filter) == position, where + " before the execution");
+    filter.Output();
+    check(Position(check, filter) == position, where);
+  }
+  filter->SetCenterModeToPointMean();
+  check(
+    Position(check, filter).empty(), "another mode's center is not known before it is executed");
+  filter.Output();
+  check(Position(check, filter) == "Inside", "the mean of the points should be inside");
+}
+}
+
+int TestSphericalStyleFilterTargetSphere(int, char*[])
+{
+  Checker check;
+  Output(check);
+  SeveralCenters(check);
+  const Surface ball = MakeEllipsoid({ 1.0, 1.0, 1.0 }, Faces::Triangles, 32, 31);
+  Inside(check, "closed", ball);
+  Inside(check, "inside out", MakeEllipsoid({ 1.0, 1.0, -1.0 }, Faces::Triangles, 32, 31));
+  // Without a few triangles at the side: open, and not symmetric.
+  vtkNew<vtkCellArray> fewer;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = 0; c < ball->GetNumberOfPolys(); ++c)
+  {
+    ball->GetPolys()->GetCellAtId(c, ids);
+    if (c < 600 || c >= 606)
+    {
+      fewer->InsertNextCell(ids);
+    }
+  }
+  auto open = Surface::New();
+  open->SetPoints(ball->GetPoints());
+  open->SetPolys(fewer);
+  Inside(check, "open", open);
+  return check.Result();
+}
