@@ -33,6 +33,7 @@ sys.path.insert(0, str(ROOT / "Examples" / "Python"))
 
 import model_files  # noqa: E402
 import model_pictures  # noqa: E402
+from sphericalstyle import window  # noqa: E402
 from sphericalstyle import (  # noqa: E402
     vtkConvexProxyDeformFilter, vtkCubicStyleFilter, vtkGaussMapFilter, vtkNormalAnalogyFilter,
     vtkSphereProjectionFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics)
@@ -104,6 +105,17 @@ picture("series.png", (1200, 560), [[
 picture("normal-blend.png", (1000, 330), [[(creature, "model")] + [
     (rounded(creature, Roundness=0.1, NormalBlend=blend), f"NormalBlend {blend:g}")
     for blend in (0.0, 0.5, 1.0)]], 25.0, 13)
+
+
+
+def preset(surface, name):
+    values = {property_: getattr(vtkSphericalStyleFilter, value.upper()) if isinstance(value, str) else value
+              for property_, value in window.PRESETS[name].items()}
+    return rounded(surface, **values)
+
+
+picture("presets.png", (1200, 330), [
+    [(creature, "model")] + [(preset(creature, name), name) for name in window.PRESETS]], 25.0, 12)
 
 top = cube.GetBounds()[3]
 center = [0.5 * (cube.GetBounds()[2 * i] + cube.GetBounds()[2 * i + 1]) for i in range(3)]

@@ -57,6 +57,15 @@ def start_server():
     return port
 
 
+# ParaView lists what is in Macros/ beside its programs, and follows the links there.
+macros = os.path.join(prefix, "bin", "Macros")
+for name in os.listdir(macros):
+    place = os.path.join(macros, name)
+    assert name.endswith(".py") and os.path.realpath(place).startswith(prefix), place
+    with open(place) as file:
+        assert "sphericalstyle" in file.read(), place
+assert len(os.listdir(macros)) == 7, os.listdir(macros)
+
 try_filters()
 print(f"{len(filters)} filters from {places['SphericalStyle']}")
 if server != "-":

@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the macros of ParaView's window do, for scripts as well.
+
+    from sphericalstyle import window
+    style = window.apply_preset("Toy")  # of the active source
+    window.show_energy_chart(style)
+    window.compare(style)
+
+Every function takes the Spherical Style filter to work on; without one, that of the active source: itself, or
+a new one behind it if it is something else.
+"""
+from paraview import simple
+
+#: What each preset sets. Center, radius, region and method stay as they are.
+PRESETS = {
+    "Soft": dict(Roundness=0.2),
+    "Toy": dict(Roundness=0.1, NormalBlend=1.0),
+    "Ball": dict(Roundness=5.0, DetailSize=0.03),
+    "Pebble": dict(Roundness=2.0),
+    "Relief": dict(Roundness=0.04, NormalBlend=1.0, ConcaveEdges="Flip"),
+}
+_BASE = dict(DetailSize=0.0, NormalBlend=0.0, ConcaveEdges="Keep", Feature="Linear", ReproduceThesis=0)
+
+
+def find_style(source=None):
+    """The Spherical Style filter that is meant. @return proxy @raise RuntimeError without a source"""
+    source = source or simple.GetActiveSource()
+    if source is None:
+        raise RuntimeError("Spherical Style: open a model, or select one in the pipeline browser, first")
+    source = getattr(source, "Proxy", None) if source.__class__.__name__ == "OutputPort" else source
+    return source if source.GetXMLName() == "SphericalStyleFilter" else simple.SphericalStyle(Input=source)
+
+
+def _render_view():
+    """The active view, if it shows surfaces, else the first or a new one that does."""
+    view = simple.GetActiveView()
+    if view is not None and view.GetXMLName() == "RenderView":
+        return view
+    return simple.FindViewOrCreate("RenderView1", "RenderView")
+
+
+def _show(style, view):
+    """The result in place of the model."""
+    simple.Show(style, view)
+    simple.Hide(style.Input, view)
+    simple.SetActiveSource(style)
+    simple.Render(view)
+
+
+def apply_preset(name, source=None):
+    """Sets what the preset says, executes and shows the result. @param name  of PRESETS @return the filter"""
+    if name not in PRESETS:
+        raise ValueError(f"Spherical Style: there is no preset '{name}', only {', '.join(PRESETS)}")
+    style = find_style(source)
+    for property_, value in {**_BASE, **PRESETS[name]}.items():
+        style.SetPropertyWithName(property_, value)
+    _show(style, _render_view())
+    return style
+
+
+def show_energy_chart(source=None):
+    """Energy over the iterations, in a chart beside the active view. @return the chart's view
+
+    A result in closed form has no iterations: the chart is then a point each."""
+    style = find_style(source)
+    view = _render_view()
+    _show(style, view)
+    chart = simple.CreateView("XYChartView")
+    chart.ChartTitle = "Energy"
+    chart.LeftAxisTitle = "energy (length squared)"
+    chart.BottomAxisTitle = "iteration"
+    simple.AssignViewToLayout(view=chart, layout=simple.GetLayout(view), hint=0)
+    display = simple.Show(simple.OutputPort(style, 1), chart)
+    names = ("Total", "Rigid", "Spherical")
+    display.UseIndexForXAxis = 0
+    display.XArrayName = "Iteration"
+    display.SeriesVisibility = list(names)
+    display.SeriesMarkerStyle = [text for name in names for text in (name, "4")]  # circles
+    simple.Render(chart)
+    simple.SetActiveView(view)
+    simple.SetActiveSource(style)
+    return chart
+
+
+def compare(source=None):
+    """Model and result side by side, in a layout of their own with one camera. @return both views"""
+    style = find_style(source)
+    layout = simple.CreateLayout("Before and After")
+    before, after = simple.CreateView("RenderView"), simple.CreateView("RenderView")
+    simple.AssignViewToLayout(view=before, layout=layout, hint=0)
+    layout.SplitHorizontal(0, 0.5)
+    simple.AssignViewToLayout(view=after, layout=layout, hint=2)
+    simple.Show(style.Input, before)
+    simple.Show(style, after)
+    simple.AddCameraLink(before, after, f"Before and After {layout.GetGlobalIDAsString()}")
+    simple.ResetCamera(before)
+    for view in (before, after):
+        simple.Render(view)
+    simple.SetActiveView(after)
+    simple.SetActiveSource(style)
+    return before, after

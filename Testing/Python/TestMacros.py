@@ -1,0 +1,79 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every macro runs, and does what its name says.
+
+usage: pvpython TestMacros.py MACROS MODEL
+PV_PLUGIN_PATH has to name the folder of the plugin.
+"""
+import os
+import sys
+
+import ProxyTesting
+from paraview.simple import *
+
+from sphericalstyle import window
+
+macros, model_file = sys.argv[1:]
+names = {name[len("Spherical Style "):-len(".py")] for name in os.listdir(macros)}
+assert names == set(window.PRESETS) | {"Energy Chart", "Before and After"}, names
+
+
+def run(name):
+    """As ParaView runs it: as the main program."""
+    with open(os.path.join(macros, f"Spherical Style {name}.py")) as file:
+        exec(compile(file.read(), name, "exec"), {"__name__": "__main__"})
+
+
+try:
+    run("Soft")
+    raise SystemExit("there is nothing to round")
+except RuntimeError as error:
+    assert "open a model" in str(error), error
+
+model = OpenDataFile(model_file)
+view = CreateView("RenderView")
+AssignViewToLayout(view=view, layout=CreateLayout("Layout"), hint=0)
+Show(model, view)
+SetActiveSource(model)
+
+# ----------------------------------------------------------------------------------------- presets
+run("Soft")
+style = GetActiveSource()
+assert style.GetXMLName() == "SphericalStyleFilter" and style.Input == model
+assert GetRepresentation(style, view).Visibility == 1 and GetRepresentation(model, view).Visibility == 0
+shapes = set()
+for name, values in window.PRESETS.items():
+    style.Center, style.ReproduceThesis, style.Feature = [0.1, 0.2, 0.3], 1, "Nonlinear"
+    run(name)
+    assert len(GetSources()) == 2 and GetActiveSource() == style  # the same filter, set anew
+    for property_ in ("Roundness", "DetailSize", "NormalBlend"):
+        assert style.GetPropertyValue(property_) == values.get(property_, 0.0), (name, property_)
+    assert style.ConcaveEdges == values.get("ConcaveEdges", "Keep"), name
+    assert style.Feature == "Linear" and not style.ReproduceThesis and list(style.Center) == [0.1, 0.2, 0.3]
+    shapes.add(ProxyTesting.bounds(style))
+assert len(shapes) == len(window.PRESETS)
+try:
+    window.apply_preset("Cube")
+    raise SystemExit("there is no such preset")
+except ValueError as error:
+    assert "'Cube'" in str(error) and "Pebble" in str(error), error
+
+# ------------------------------------------------------------------------------------ energy chart
+style.SphericalWeighting = "Uniform"  # iterates
+run("Energy Chart")
+chart, = (v for v in GetViews() if v.GetXMLName() == "XYChartView")
+display = GetRepresentation(OutputPort(style, 1), chart)
+assert display.XArrayName == "Iteration" and display.Visibility == 1
+assert list(display.SeriesVisibility) == ["Total", "Rigid", "Spherical"], list(display.SeriesVisibility)
+assert GetLayout(chart) == GetLayout(view) and GetActiveView() == view
+
+# ---------------------------------------------------------------------------------- before and after
+count = len(GetViews())
+run("Before and After")
+assert len(GetViews()) == count + 2 and len(GetSources()) == 2
+after = GetActiveView()
+before, = (v for v in GetViewsInLayout(GetLayout(after)) if v != after)
+assert GetRepresentation(model, before).Visibility == 1 and GetRepresentation(style, after).Visibility == 1
+before.CameraPosition = [1.0, 2.0, 3.0]
+Render(before)  # the link follows it
+assert list(after.CameraPosition) == [1.0, 2.0, 3.0], list(after.CameraPosition)
