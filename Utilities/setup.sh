@@ -17,8 +17,8 @@ packages=(
   libcgal-dev libeigen3-dev libopenblas-dev libsuitesparse-dev
   # ParaView 5.11 with its VTK 9.2, its Python, and the MPI its CMake package asks for
   libopenmpi-dev paraview paraview-dev python3-paraview
-  # what makes the plugin's help pages
-  qhelpgenerator-qt5 qtxmlpatterns5-dev-tools
+  # what makes the plugin's help pages and icons
+  qhelpgenerator-qt5 qtbase5-dev qtxmlpatterns5-dev-tools
   # headers that VTK's rendering modules ask for; the tests compare pictures
   libfreetype-dev libgl-dev libglew-dev libjpeg-dev libopengl-dev libpng-dev libx11-dev libxext-dev
   # a screen for tests and demo: X server, software OpenGL, icons

@@ -255,6 +255,16 @@ check(len(outputs) == Filter().GetNumberOfOutputPorts(), f"number of outputs: {l
 views = {(int(v.get("port")), v.get("type")) for v in proxy.findall("Hints/View")}
 check(views == {(port, "None") for port, _ in outputs[1:]}, f"views {views}")
 
+# A resource that is not there is no icon, without a word.
+icon = proxy.find("Hints/ShowInMenu").get("icon")
+icons = os.path.join(os.path.dirname(sys.argv[1]), "Icons")
+check(icon == f":/SphericalStyle/{xml_name}.svg", f"icon {icon}")
+check(ElementTree.parse(os.path.join(icons, xml_name + ".svg")).getroot().get("viewBox") == "0 0 24 24",
+      "size of the icon")
+check(f"{xml_name}.svg" in [file.text for file in
+                            ElementTree.parse(os.path.join(icons, "SphericalStyleIcons.qrc")).iter("file")],
+      "icon in the resource file")
+
 # ------------------------------------------------------------------------------------------- panel
 # A group that names a property that is not there is dropped by ParaView without a word.
 for group in proxy.findall("PropertyGroup"):
