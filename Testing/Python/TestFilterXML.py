@@ -256,7 +256,9 @@ views = {(int(v.get("port")), v.get("type")) for v in proxy.findall("Hints/View"
 check(views == {(port, "None") for port, _ in outputs[1:]}, f"views {views}")
 
 # A resource that is not there is no icon, without a word.
-icon = proxy.find("Hints/ShowInMenu").get("icon")
+menu = proxy.find("Hints/ShowInMenu")
+check(menu.get("category") == "Spherical Style" and menu.get("show_in_toolbar") == "1", "menu or toolbar")
+icon = menu.get("icon")
 icons = os.path.join(os.path.dirname(sys.argv[1]), "Icons")
 check(icon == f":/SphericalStyle/{xml_name}.svg", f"icon {icon}")
 check(ElementTree.parse(os.path.join(icons, xml_name + ".svg")).getroot().get("viewBox") == "0 0 24 24",
