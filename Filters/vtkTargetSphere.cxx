@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTargetSphere.h"
 
+#include "SurfaceMeasures.h"
+
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-
-#include <Eigen/Geometry> // for cross
 
 #include <cmath>
 
@@ -65,17 +65,10 @@ void vtkTargetSphere::Fill(vtkPolyData* output, const std::vector<SphericalStyle
 bool vtkTargetSphere::Encloses(
   const SphericalStyle::TriangleMesh& mesh, const Eigen::Vector3d& point)
 {
-  double half = 0.0; // of the solid angle (van Oosterom, Strackee, 1983)
+  double angle = 0.0;
   for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
   {
-    const Eigen::Vector3d a = mesh.P.row(mesh.F(f, 0)).transpose() - point;
-    const Eigen::Vector3d b = mesh.P.row(mesh.F(f, 1)).transpose() - point;
-    const Eigen::Vector3d c = mesh.P.row(mesh.F(f, 2)).transpose() - point;
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    half +=
-      std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    angle += SphericalStyle::SolidAngle(mesh.P, mesh.F, f, point);
   }
-  return std::abs(half) > EIGEN_PI;
+  return std::abs(angle) > 2.0 * EIGEN_PI;
 }
