@@ -465,11 +465,12 @@ public:
    * Where the iteration starts: Blend (default; every rotation the identity, one global step, not
    * counted), Rest (thesis; the unmoved points) or LastResult, for dragging: the rotations that the
    * last execution for the same model ended with, where they are nearer to the minimum than Blend.
-   * A moved center then needs 2 to 4 iterations in place of 20. The result is as near to the
-   * minimum, but its last digits, within Tolerance, depend on what was executed before; with Blend
-   * they depend on input and properties alone. LastResult is Blend for the first execution, with
-   * StopRule FixedIterations, with AvoidSelfIntersections, and where nothing is iterated. The panel
-   * of ParaView starts with LastResult.
+   * A center moved by up to 3 % of the radius then needs 2 to 5 iterations in place of 20 or 30,
+   * one moved by 10 % about as many as from Blend. The result is as near to the minimum, but its
+   * last digits, within Tolerance, depend on what was executed before; with Blend they depend on
+   * input and properties alone. LastResult is Blend for the first execution, with StopRule
+   * FixedIterations, with AvoidSelfIntersections, and where nothing is iterated. The panel of
+   * ParaView starts with LastResult.
    */
   vtkSetClampMacro(InitialGuess, int, BLEND, LAST_RESULT);
   vtkGetMacro(InitialGuess, int);
