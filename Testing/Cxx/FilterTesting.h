@@ -93,6 +93,20 @@ inline std::string Text(vtkIdType number)
   return std::to_string(number);
 }
 
+/// Adds the text of every such event of the object to a list, which must outlive the object.
+inline void Watch(vtkObject* object, unsigned long event, std::vector<std::string>& into)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&into);
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* messages, void* text)
+    {
+      static_cast<std::vector<std::string>*>(messages)->emplace_back(
+        text ? static_cast<const char*>(text) : "");
+    });
+  object->AddObserver(event, command);
+}
+
 /// A filter, with its messages caught instead of printed and its executions counted.
 template <typename FilterType>
 class Watched
@@ -100,11 +114,11 @@ class Watched
 public:
   Watched()
   {
-    this->Watch(this->Filter, vtkCommand::ErrorEvent, this->Errors);
-    this->Watch(this->Filter, vtkCommand::WarningEvent, this->Warnings);
+    Watch(this->Filter, vtkCommand::ErrorEvent, this->Errors);
+    Watch(this->Filter, vtkCommand::WarningEvent, this->Warnings);
     // The executive adds that the algorithm has failed; not counted, it is not ours.
-    this->Watch(this->Filter->GetExecutive(), vtkCommand::ErrorEvent, this->ExecutiveErrors);
-    this->Watch(this->Filter, vtkCommand::StartEvent, this->Starts);
+    Watch(this->Filter->GetExecutive(), vtkCommand::ErrorEvent, this->ExecutiveErrors);
+    Watch(this->Filter, vtkCommand::StartEvent, this->Starts);
   }
 
   explicit Watched(vtkPolyData* input)
@@ -128,19 +142,6 @@ public:
   std::vector<std::string> Starts; ///< one per execution
 
 private:
-  static void Watch(vtkObject* object, unsigned long event, std::vector<std::string>& into)
-  {
-    vtkNew<vtkCallbackCommand> command;
-    command->SetClientData(&into);
-    command->SetCallback(
-      [](vtkObject*, unsigned long, void* messages, void* text)
-      {
-        static_cast<std::vector<std::string>*>(messages)->emplace_back(
-          text ? static_cast<const char*>(text) : "");
-      });
-    object->AddObserver(event, command);
-  }
-
   vtkNew<FilterType> Filter;
 };
 

@@ -479,9 +479,9 @@ public:
   explicit Run(const Subject& subject)
     : Filter(subject.make())
   {
-    this->Watch(this->Filter, vtkCommand::ErrorEvent, this->Errors);
-    this->Watch(this->Filter, vtkCommand::WarningEvent, this->Warnings);
-    this->Watch(this->Filter->GetExecutive(), vtkCommand::ErrorEvent, this->ExecutiveErrors);
+    Watch(this->Filter, vtkCommand::ErrorEvent, this->Errors);
+    Watch(this->Filter, vtkCommand::WarningEvent, this->Warnings);
+    Watch(this->Filter->GetExecutive(), vtkCommand::ErrorEvent, this->ExecutiveErrors);
   }
 
   vtkPolyData* operator()(vtkPolyData* input)
@@ -498,19 +498,6 @@ public:
   std::vector<std::string> Warnings;
 
 private:
-  static void Watch(vtkObject* object, unsigned long event, std::vector<std::string>& into)
-  {
-    vtkNew<vtkCallbackCommand> command;
-    command->SetClientData(&into);
-    command->SetCallback(
-      [](vtkObject*, unsigned long, void* messages, void* text)
-      {
-        static_cast<std::vector<std::string>*>(messages)->emplace_back(
-          static_cast<const char*>(text));
-      });
-    object->AddObserver(event, command);
-  }
-
   vtkSmartPointer<vtkPolyDataAlgorithm> Filter;
   std::vector<std::string> ExecutiveErrors;
 };

@@ -7,6 +7,7 @@
 #include "Check.h"
 #include "FixedIterations.h"
 #include "Meshes.h"
+#include "Solved.h"
 #include "StyleSolver.h"
 #include "SurfaceMeasures.h"
 
@@ -198,14 +199,6 @@ StyleOptions WithIds(StyleOptions options, const std::vector<int>& ids, double b
   options.centerIds = ids;
   options.centerBlend = blend;
   return options;
-}
-
-Points Solved(const TriangleMesh& mesh, const StyleOptions& options)
-{
-  StyleSolver solver;
-  solver.SetMesh(mesh);
-  solver.Solve(options);
-  return solver.GetPositions();
 }
 
 // Several centers at one place are one center.

@@ -8,6 +8,7 @@
 #include "FixedIterations.h"
 #include "Frame.h"
 #include "Meshes.h"
+#include "Solved.h"
 #include "StyleSolver.h"
 #include "SurfaceMeasures.h"
 #include "WallStitches.h"
@@ -447,14 +448,6 @@ StyleOptions Coupled(StyleOptions options)
   return options;
 }
 
-Points Solve(const TriangleMesh& mesh, const StyleOptions& options)
-{
-  StyleSolver solver;
-  solver.SetMesh(mesh);
-  solver.Solve(options);
-  return solver.GetPositions();
-}
-
 // Where one part is held at another place and turned, the others follow as one body: stitches hold
 // position and orientation, and a rigid motion costs nothing.
 void TestPartsFollow()
@@ -484,7 +477,7 @@ void TestPartsFollow()
       }
     }
     options.fixedPositions = moved(options.fixedPoints, Eigen::all);
-    const double difference = Meshes::Distance(Solve(mesh, options), moved);
+    const double difference = Meshes::Distance(Solved(mesh, options), moved);
     CHECK(difference <= 1e-3 * Meshes::Diagonal(mesh.P),
       named.name << ": parts should follow the one that is held, differ by "
                  << difference / Meshes::Diagonal(mesh.P) << " diagonals");
@@ -577,13 +570,13 @@ CutResult SolveCut(const TriangleMesh& ball, int ring, StyleOptions options)
   options.centerMode = CenterMode::Custom; // the points along the cut count twice otherwise
   options.custom.center = ball.P.colwise().mean();
   options.loop.tolerance = 1e-6;
-  const Points whole = Solve(ball, options)(original, Eigen::all);
+  const Points whole = Solved(ball, options)(original, Eigen::all);
   const auto difference = [&](Points result)
   {
     result.rowwise() += (whole - result).colwise().mean().eval();
     return Meshes::Distance(result, whole) / Meshes::Diagonal(ball.P);
   };
-  return { difference(Solve(halves, Coupled(options))), difference(Solve(halves, options)) };
+  return { difference(Solved(halves, Coupled(options))), difference(Solved(halves, options)) };
 }
 
 // A ball cut in two and stitched comes out as the ball, within a 50th of its diagonal (a 200th
@@ -619,7 +612,7 @@ void TestKept()
 {
   const TriangleMesh mesh = Meshes::TwoComponents();
   const StyleOptions options = Fixed({}, 5);
-  const Points apart = Solve(mesh, options), together = Solve(mesh, Coupled(options));
+  const Points apart = Solved(mesh, options), together = Solved(mesh, Coupled(options));
   CHECK(Meshes::Distance(apart, together) > 0.01, "stitches should matter");
   StyleSolver solver;
   solver.SetMesh(mesh);
@@ -637,11 +630,11 @@ void TestKept()
   moved.P(3, 1) += 0.02;
   solver.SetMesh(moved);
   solver.Solve(Coupled(options));
-  CHECK(Meshes::SameBits(solver.GetPositions(), Solve(moved, Coupled(options))),
+  CHECK(Meshes::SameBits(solver.GetPositions(), Solved(moved, Coupled(options))),
     "other points should give the bits of a fresh solver");
 
   const TriangleMesh one = Meshes::Perturbed(Meshes::Ellipsoid(2), 0.02, 1);
-  CHECK(Meshes::SameBits(Solve(one, options), Solve(one, Coupled(options))),
+  CHECK(Meshes::SameBits(Solved(one, options), Solved(one, Coupled(options))),
     "a model of one part should come out the same");
   CHECK(ThesisOptions(Coupled({})).componentCoupling == ComponentCoupling::Independent,
     "the thesis has no stitches");

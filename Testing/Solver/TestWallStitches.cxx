@@ -9,6 +9,7 @@
 #include "EnergyTriangles.h"
 #include "FixedIterations.h"
 #include "Meshes.h"
+#include "Solved.h"
 #include "StyleSolver.h"
 #include "SurfaceMeasures.h"
 #include "WallStitches.h"
@@ -257,24 +258,16 @@ StyleOptions Kept(double detailSize, ComponentCoupling coupling = ComponentCoupl
   return options;
 }
 
-Points Solve(const TriangleMesh& mesh, const StyleOptions& options)
-{
-  StyleSolver solver;
-  solver.SetMesh(mesh);
-  solver.Solve(options);
-  return solver.GetPositions();
-}
-
 // Where there are no details or no thin walls, there are no stitches, and results keep their bits.
 void TestNothingElse()
 {
   const auto independent = ComponentCoupling::Independent;
   const TriangleMesh bowl = Bowl(), solid = Meshes::Perturbed(Meshes::Ellipsoid(3), 0.02, 1);
-  CHECK(Meshes::SameBits(Solve(bowl, Kept(0.0)), Solve(bowl, Kept(0.0, independent))),
+  CHECK(Meshes::SameBits(Solved(bowl, Kept(0.0)), Solved(bowl, Kept(0.0, independent))),
     "without details walls should come out the same");
-  CHECK(Meshes::SameBits(Solve(solid, Kept(0.03)), Solve(solid, Kept(0.03, independent))),
+  CHECK(Meshes::SameBits(Solved(solid, Kept(0.03)), Solved(solid, Kept(0.03, independent))),
     "a solid should come out the same");
-  CHECK(Meshes::Distance(Solve(bowl, Kept(0.03)), Solve(bowl, Kept(0.03, independent))) > 0.01,
+  CHECK(Meshes::Distance(Solved(bowl, Kept(0.03)), Solved(bowl, Kept(0.03, independent))) > 0.01,
     "walls should matter");
 }
 
@@ -289,7 +282,7 @@ void TestKept()
   for (const StyleOptions& options : some)
   {
     const StyleReport report = solver.Solve(Fixed(options, 3));
-    CHECK(Meshes::SameBits(solver.GetPositions(), Solve(bowl, Fixed(options, 3))),
+    CHECK(Meshes::SameBits(solver.GetPositions(), Solved(bowl, Fixed(options, 3))),
       "a change should give the bits of a fresh solver");
     const bool walls =
       options.detailSize > 0.0 && options.componentCoupling == ComponentCoupling::Stitched;
@@ -304,7 +297,7 @@ void TestKept()
   const TriangleMesh moved = Meshes::Perturbed(bowl, 0.002, 8);
   solver.SetMesh(moved);
   solver.Solve(other);
-  CHECK(Meshes::SameBits(solver.GetPositions(), Solve(moved, other)),
+  CHECK(Meshes::SameBits(solver.GetPositions(), Solved(moved, other)),
     "other points should give the bits of a fresh solver");
 }
 
