@@ -640,7 +640,6 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   if (report.closedForm)
   {
     loop.maximumNumberOfIterations = 0;
-    s.KeptPulls = {};
   }
   else
   {
