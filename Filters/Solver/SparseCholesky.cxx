@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SparseCholesky.h"
 
-#include "SupernodalFactor.h"
+#include "PackedFactor.h"
 #include "TriangleMesh.h"
 
 #include <Eigen/SparseCholesky>
 
 #include <mutex>
-#include <vector>
 
 #ifdef SPHERICALSTYLE_WITH_CHOLMOD
 #include <cholmod.h>
@@ -26,7 +25,7 @@ public:
   virtual ~Implementation() = default;
   virtual const char* GetName() const = 0;
   virtual void Analyze(const Matrix& A) = 0;
-  virtual void Factor(const Matrix& A) = 0;
+  virtual void Factor(const Matrix& A, int threads) = 0;
   virtual void Solve(RightHandSides& B, int threads) const = 0;
 };
 
@@ -36,7 +35,7 @@ class SparseCholesky::EigenImplementation : public SparseCholesky::Implementatio
 public:
   const char* GetName() const override { return "Eigen LDLT"; }
   void Analyze(const Matrix& A) override { this->Ldlt.analyzePattern(A); }
-  void Factor(const Matrix& A) override
+  void Factor(const Matrix& A, int) override
   {
     this->Ldlt.factorize(A);
     if (this->Ldlt.info() != Eigen::Success)
@@ -141,25 +140,31 @@ public:
     {
       throw SolverError("not enough memory to order the system matrix");
     }
-    this->Tasks = SupernodalTasks(this->ViewFactor());
   }
 
-  void Factor(const Matrix& A) override
+  void Factor(const Matrix& A, int threads) override
   {
     const SingleThreadedBlas scope;
     cholmod_sparse view = View(A);
     this->Indefinite.reset();
+    this->Packed = {}; // its memory is needed
     cholmod_factorize(&view, this->Cholesky, &this->Common);
     if (this->Common.status == CHOLMOD_NOT_POSDEF)
     {
       this->Indefinite = std::make_unique<EigenImplementation>();
       this->Indefinite->Analyze(A);
-      this->Indefinite->Factor(A);
+      this->Indefinite->Factor(A, threads);
     }
     else if (this->Common.status < CHOLMOD_OK)
     {
       throw SolverError("not enough memory to factor the system matrix");
     }
+    else
+    {
+      this->Packed = PackedFactor<double>(this->ViewFactor(), threads);
+    }
+    // Solves need the values no more; ordering and symbolic factor stay.
+    cholmod_change_factor(CHOLMOD_PATTERN, 1, 1, 1, 1, this->Cholesky, &this->Common);
   }
 
   void Solve(RightHandSides& B, int threads) const override
@@ -169,7 +174,7 @@ public:
       this->Indefinite->Solve(B, threads);
       return;
     }
-    SolveSupernodal(this->ViewFactor(), this->Tasks, B, this->Work, threads);
+    this->Packed.Solve(B, threads);
   }
 
 private:
@@ -183,8 +188,7 @@ private:
 
   cholmod_common Common = {};
   cholmod_factor* Cholesky = nullptr;
-  SupernodalTasks Tasks;                           // of the symbolic factor
-  mutable std::vector<double> Work;                // of SolveSupernodal
+  PackedFactor<double> Packed;
   std::unique_ptr<EigenImplementation> Indefinite; // set when the matrix is not positive definite
 };
 #endif
@@ -229,9 +233,9 @@ void SparseCholesky::Analyze(const Matrix& A)
   this->Impl->Analyze(A);
 }
 
-void SparseCholesky::Factor(const Matrix& A)
+void SparseCholesky::Factor(const Matrix& A, int threads)
 {
-  this->Impl->Factor(A);
+  this->Impl->Factor(A, threads);
 }
 
 void SparseCholesky::Solve(RightHandSides& B, int threads) const

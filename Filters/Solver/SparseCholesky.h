@@ -14,7 +14,7 @@ namespace SphericalStyle
 {
 /// Symmetric positive definite system A X = B for few right-hand sides.
 ///
-/// CHOLMOD's supernodal Cholesky where the build has SuiteSparse, with SolveSupernodal; Eigen's
+/// CHOLMOD's supernodal Cholesky where the build has SuiteSparse, with PackedFactor; Eigen's
 /// SimplicialLDLT otherwise.
 /// A matrix that is not positive definite (possible only with full-edge weights) is factored by
 /// LDLT, which needs no sign.
@@ -45,7 +45,7 @@ public:
   void Analyze(const Matrix& A);
   /// Numeric factorisation; the pattern must be that of Analyze. @throw SolverError if A is
   /// singular
-  void Factor(const Matrix& A);
+  void Factor(const Matrix& A, int threads = 1);
   /// Replaces B (n x 3) by A^-1 B. @throw SolverError if the result is not finite
   void Solve(RightHandSides& B, int threads = 1) const;
 

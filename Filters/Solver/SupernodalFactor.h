@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Solving with a supernodal Cholesky factor, three right-hand sides at once.
+/// A supernodal Cholesky factor, and which parts of it can be worked on at the same time.
 #ifndef SphericalStyle_SupernodalFactor_h
 #define SphericalStyle_SupernodalFactor_h
-
-#include <Eigen/Core>
 
 #include <vector>
 
@@ -28,6 +26,9 @@ struct SupernodalFactor
   const int* firstValue = nullptr;
   const double* values = nullptr;
   const int* permutation = nullptr; ///< row k of P A P^T is row permutation[k] of A
+
+  int GetColumns(int s) const { return this->firstColumn[s + 1] - this->firstColumn[s]; }
+  int GetRows(int s) const { return this->firstRow[s + 1] - this->firstRow[s]; }
 };
 
 /// Which supernodes can be worked on at the same time: subtrees of the elimination tree, which
@@ -51,23 +52,13 @@ public:
   /// Columns of the top, numbered in their order; -1 for those of a subtree.
   const std::vector<int>& GetTopColumns() const { return this->TopColumns; }
   int GetNumberOfTopColumns() const { return this->NumberOfTopColumns; }
-  /// Of any supernode.
-  int GetLargestNumberOfRows() const { return this->LargestNumberOfRows; }
 
 private:
   std::vector<Range> Subtrees;
   std::vector<int> Top;
   std::vector<int> TopColumns;
   int NumberOfTopColumns = 0;
-  int LargestNumberOfRows = 0;
 };
-
-/// Replaces B by A^-1 B. The factor is read twice, from end to end, and that is what it costs. The
-/// same bits for any number of threads.
-/// @param B  n x 3 @param work  scratch, kept between calls
-void SolveSupernodal(const SupernodalFactor& factor, const SupernodalTasks& tasks,
-  Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> B,
-  std::vector<double>& work, int threads);
 } // namespace SphericalStyle
 
 #endif

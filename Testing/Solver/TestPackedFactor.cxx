@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Solving with a supernodal factor, against the dense matrix that the factor stands for. Any lower
-// triangular blocks make a factor: they need not come from a factorisation.
+// Solving with a packed supernodal factor, against the dense matrix that the factor stands for. Any
+// lower triangular blocks make a factor: they need not come from a factorisation.
 #include "Check.h"
 #include "Meshes.h"
+#include "PackedFactor.h"
 #include "SparseCholesky.h"
-#include "SupernodalFactor.h"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -114,16 +114,19 @@ void CheckSolve(const std::vector<int>& widths, double fill, Meshes::Random& ran
   {
     x.row(i) = random.InCube();
   }
-  RowMajor3 solved = A * x;
-  std::vector<double> work(3, std::nan("")); // what is left in it must not matter
-  const SupernodalTasks tasks(blocks.View());
-  SolveSupernodal(blocks.View(), tasks, solved, work, 1);
-  CHECK((solved - x).cwiseAbs().maxCoeff() <= 1e-13,
-    "supernodes of " << widths.front() << ".." << widths.back() << " columns, fill " << fill
-                     << ": off by " << (solved - x).cwiseAbs().maxCoeff());
-  RowMajor3 again = A * x;
-  SolveSupernodal(blocks.View(), tasks, again, work, 2);
-  CHECK(again == solved, "a second solve, on two threads, should give the same bits");
+  const auto check = [&](const auto& factor, double tolerance)
+  {
+    RowMajor3 solved = A * x;
+    factor.Solve(solved);
+    CHECK((solved - x).cwiseAbs().maxCoeff() <= tolerance,
+      "supernodes of " << widths.front() << ".." << widths.back() << " columns, fill " << fill
+                       << ": off by " << (solved - x).cwiseAbs().maxCoeff());
+    RowMajor3 again = A * x;
+    factor.Solve(again, 2);
+    CHECK(again == solved, "a second solve, on two threads, should give the same bits");
+  };
+  check(PackedFactor<double>(blocks.View()), 1e-13);
+  check(PackedFactor<float>(blocks.View()), 1e-5);
 }
 
 /// Leaves of a few columns that reach into one supernode at the end, as a tree of many subtrees.
@@ -183,17 +186,22 @@ void TestSubtrees()
   RowMajor3 expected(n, 3);
   b(blocks.Permutation, Eigen::all) = permuted;
   expected(blocks.Permutation, Eigen::all) = x;
-  RowMajor3 first;
-  for (const int threads : { 1, 2, 3, 16 })
+  const auto check = [&](const auto& packed, double tolerance)
   {
-    RowMajor3 solved = b;
-    std::vector<double> work;
-    SolveSupernodal(factor, tasks, solved, work, threads);
-    CHECK((solved - expected).cwiseAbs().maxCoeff() <= 1e-12,
-      "off by " << (solved - expected).cwiseAbs().maxCoeff());
-    first = threads == 1 ? solved : first;
-    CHECK(solved == first, threads << " threads should give the same bits as one");
-  }
+    RowMajor3 first;
+    for (const int threads : { 1, 2, 3, 16 })
+    {
+      RowMajor3 solved = b;
+      packed.Solve(solved, threads);
+      CHECK((solved - expected).cwiseAbs().maxCoeff() <= tolerance,
+        "off by " << (solved - expected).cwiseAbs().maxCoeff());
+      first = threads == 1 ? solved : first;
+      CHECK(solved == first, threads << " threads should give the same bits as one");
+    }
+  };
+  check(PackedFactor<double>(factor), 1e-12);
+  check(PackedFactor<double>(factor, 3), 1e-12);
+  check(PackedFactor<float>(factor, 3), 1e-4);
 }
 
 /// A factor as it comes, of a grid: its tree is one of nested parts.
