@@ -9,7 +9,7 @@ namespace
 constexpr const char* Usage =
   "usage: RoundMesh MESH [options]\n"
   "  --detail-size S, --roundness L, --weighting cotangent|uniform, --tolerance T, --threads N,\n"
-  "  --acceleration 0|1  as the properties of the filter\n"
+  "  --acceleration 0|1, --linear-solver 0..3  as the properties of the filter\n"
   "  --iterations N      exactly N iterations instead of the stop rule";
 
 void SetUp(vtkSphericalStyleFilter* filter, const Benchmarks::Arguments& arguments)
@@ -19,6 +19,7 @@ void SetUp(vtkSphericalStyleFilter* filter, const Benchmarks::Arguments& argumen
   filter->SetTolerance(arguments.Number("--tolerance"));
   filter->SetNumberOfThreads(arguments.Integer("--threads"));
   filter->SetAcceleration(arguments.Integer("--acceleration") != 0);
+  filter->SetLinearSolver(arguments.Integer("--linear-solver"));
   filter->SetMaximumNumberOfIterations(1000);
   if (arguments.Text("--weighting") == "uniform")
   {
@@ -40,7 +41,7 @@ int main(int argc, char* argv[])
       const Benchmarks::Arguments arguments(argc, argv,
         { { "--detail-size", "0" }, { "--roundness", "0.5" }, { "--weighting", "cotangent" },
           { "--tolerance", "1e-4" }, { "--threads", "1" }, { "--acceleration", "1" },
-          { "--iterations", "0" } });
+          { "--linear-solver", "0" }, { "--iterations", "0" } });
       const double atStart = Benchmarks::PeakMegabytes();
       const auto surface = Benchmarks::ToPolyData(Benchmarks::ReadMesh(arguments.At(0)));
       vtkNew<vtkSphericalStyleFilter> filter;

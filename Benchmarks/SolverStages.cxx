@@ -290,22 +290,25 @@ void Factorization(benchmark::State& state, StageData& data, int)
     benchmark::Counter(cost.operations, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-void Solve(benchmark::State& state, StageData& data, int)
+template <SparseCholesky::Precision Precision>
+void Solve(benchmark::State& state, StageData& data, int threads)
 {
   const SparseCholesky::Matrix& A = data.Matrix.Assemble(data.Cotangents);
   SparseCholesky factor;
   factor.Analyze(A);
-  factor.Factor(A);
+  factor.Factor(A, Precision);
   SparseCholesky::RightHandSides X;
   while (state.KeepRunning())
   {
     state.PauseTiming();
     X = RightHandSides(data);
     state.ResumeTiming();
-    factor.Solve(X);
+    factor.Solve(X, threads);
   }
   const FactorCost cost = CostOf(A);
-  Report(state, data, 2.0 * sizeof(double) * cost.entries, HashOf(X));
+  const std::size_t size =
+    factor.GetPrecision() == SparseCholesky::Precision::Single ? sizeof(float) : sizeof(double);
+  Report(state, data, 2.0 * size * cost.entries, HashOf(X));
   state.counters["flops"] =
     benchmark::Counter(12.0 * cost.entries, benchmark::Counter::kIsIterationInvariantRate);
 }
@@ -437,8 +440,10 @@ void RegisterSolverStages(const MeshKey& key, int threads)
     { "Cotangents", Cotangents }, { "Weights", Weights }, { "Base", Base }, { "Targets", Targets },
     { "PrepareSteps", PrepareSteps }, { "Matrix", Matrix }, { "Ordering", Ordering },
     { "Factorization", Factorization }, { "Covariances", Covariances }, { "Rotations", Rotations },
-    { "LocalStep", LocalStep }, { "RightHandSide", RightHandSide }, { "Solve", Solve },
-    { "Energy", Value }, { "Iteration", Iteration } };
+    { "LocalStep", LocalStep }, { "RightHandSide", RightHandSide },
+    { "Solve", Solve<SparseCholesky::Precision::Double> },
+    { "SolveSingle", Solve<SparseCholesky::Precision::Single> }, { "Energy", Value },
+    { "Iteration", Iteration } };
   for (const auto& [name, body] : stages)
   {
     Register(name, key, threads, body);

@@ -34,8 +34,8 @@ DRAGGING_GAP = 1e-3
 
 # Stages that threads of ours can share; the others are reported all the same.
 STAGES = ["Topology", "Cotangents", "Weights", "Base", "Targets", "PrepareSteps", "Matrix", "Ordering",
-          "Factorization", "Covariances", "Rotations", "LocalStep", "RightHandSide", "Solve", "Energy",
-          "Iteration", "Solver:default", "Solver:details", "Solver:uniform"]
+          "Factorization", "Covariances", "Rotations", "LocalStep", "RightHandSide", "Solve",
+          "SolveSingle", "Energy", "Iteration", "Solver:default", "Solver:details", "Solver:uniform"]
 
 
 def verdict(measured, goal, larger_is_better=False):

@@ -321,6 +321,7 @@ SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
   o.anchor = static_cast<SphericalStyle::Anchor>(self->Anchor);
   o.componentCoupling = static_cast<SphericalStyle::ComponentCoupling>(self->ComponentCoupling);
   o.initialGuess = static_cast<SphericalStyle::InitialGuess>(self->InitialGuess);
+  o.linearMethod = static_cast<SphericalStyle::LinearMethod>(self->LinearSolver);
   o.loop = MakeLoopOptions(self);
   o.loop.timeBudget = self->TimeBudget;
   o.threads = ThreadsToUse(self->NumberOfThreads);
@@ -747,6 +748,7 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ComponentCoupling: " << this->ComponentCoupling << "\n";
   os << indent << "WeldCoincidentPoints: " << OnOff(this->WeldCoincidentPoints) << "\n";
   os << indent << "InitialGuess: " << this->InitialGuess << "\n";
+  os << indent << "LinearSolver: " << this->LinearSolver << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "RefineLongEdges: " << OnOff(this->RefineLongEdges) << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";

@@ -11,6 +11,8 @@ namespace SphericalStyle
 {
 namespace
 {
+constexpr double ShareLeft = 1e-12; // there is no next solve that would make up for it
+
 Eigen::VectorXd AreasOr(const Eigen::VectorXd& areas, const Points& P, const MeshTopology& topology)
 {
   return areas.size() > 0 ? areas : PointAreas(P, topology.GetTriangles());
@@ -18,38 +20,39 @@ Eigen::VectorXd AreasOr(const Eigen::VectorXd& areas, const Points& P, const Mes
 }
 
 Eigen::MatrixXd SmoothFields(const Eigen::VectorXd& areas, const MeshTopology& topology,
-  const HalfEdgeScalars& cotangents, double size, const Eigen::MatrixXd& X)
+  const HalfEdgeScalars& cotangents, double size, const Eigen::MatrixXd& X, LinearMethod method,
+  int threads)
 {
   EdgeMatrix matrix(topology, std::vector<char>(areas.size(), 0));
-  const SparseCholesky::Matrix& A = matrix.Assemble(size * size * cotangents, areas);
-  SparseCholesky factor;
-  factor.Analyze(A);
-  factor.Factor(A);
+  const LinearSystem::Matrix& A = matrix.Assemble(size * size * cotangents, areas);
+  LinearSystem system(method);
+  system.SetShareLeft(ShareLeft);
+  system.Analyze(A);
+  system.Factor(A, threads);
   Eigen::MatrixXd result(X.rows(), X.cols());
   for (Eigen::Index first = 0; first < X.cols(); first += 3)
   {
     const Eigen::Index columns = std::min<Eigen::Index>(3, X.cols() - first);
-    SparseCholesky::RightHandSides B = SparseCholesky::RightHandSides::Zero(X.rows(), 3);
-    B.leftCols(columns) = X.middleCols(first, columns);
+    LinearSystem::RightHandSides Y = LinearSystem::RightHandSides::Zero(X.rows(), 3);
+    Y.leftCols(columns) = X.middleCols(first, columns);
     for (int step = 0; step < 2; ++step)
     {
-      B = areas.asDiagonal() * B;
-      factor.Solve(B);
+      system.Solve(areas.asDiagonal() * Y, Y, threads);
     }
-    result.middleCols(first, columns) = B.leftCols(columns);
+    result.middleCols(first, columns) = Y.leftCols(columns);
   }
   return result;
 }
 
 Points SmoothBase(const Points& P, const MeshTopology& topology, const HalfEdgeScalars& cotangents,
-  double size, const Eigen::VectorXd& areas)
+  double size, const Eigen::VectorXd& areas, LinearMethod method, int threads)
 {
-  return SmoothFields(AreasOr(areas, P, topology), topology, cotangents, size, P);
+  return SmoothFields(AreasOr(areas, P, topology), topology, cotangents, size, P, method, threads);
 }
 
 Eigen::MatrixXd CenterShares(const Points& P, const MeshTopology& topology,
   const HalfEdgeScalars& cotangents, double size, const std::vector<int>& ids, int numberOfCenters,
-  const Eigen::VectorXd& areas)
+  const Eigen::VectorXd& areas, LinearMethod method, int threads)
 {
   Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(P.rows(), numberOfCenters);
   for (Eigen::Index i = 0; i < P.rows(); ++i)
@@ -60,7 +63,7 @@ Eigen::MatrixXd CenterShares(const Points& P, const MeshTopology& topology,
   {
     // Obtuse triangles can bring a share below 0.
     const Eigen::VectorXd M = AreasOr(areas, P, topology);
-    shares = SmoothFields(M, topology, cotangents, size, shares).cwiseMax(0.0);
+    shares = SmoothFields(M, topology, cotangents, size, shares, method, threads).cwiseMax(0.0);
     shares.array().colwise() /= shares.rowwise().sum().array().eval();
   }
   return shares;

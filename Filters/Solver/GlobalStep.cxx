@@ -6,10 +6,12 @@
 
 namespace SphericalStyle
 {
-GlobalStep::GlobalStep(const MeshTopology& topology, const std::vector<int>& pinned)
+GlobalStep::GlobalStep(
+  const MeshTopology& topology, const std::vector<int>& pinned, LinearMethod method)
   : Topology(&topology)
   , Fixed(topology.GetNumberOfPoints(), 0)
   , ComponentIsPinned(topology.GetNumberOfComponents(), 0)
+  , System(method)
 {
   for (const int i : pinned)
   {
@@ -46,7 +48,7 @@ void GlobalStep::BuildMatrix()
   }
 }
 
-bool GlobalStep::SetWeights(const HalfEdgeScalars& k, double scale)
+bool GlobalStep::SetWeights(const HalfEdgeScalars& k, double scale, int threads)
 {
   this->Scale = scale;
   this->AnalyzeSeconds = this->FactorSeconds = 0.0;
@@ -65,12 +67,12 @@ bool GlobalStep::SetWeights(const HalfEdgeScalars& k, double scale)
     const SparseCholesky::Matrix& A = this->Matrix.Assemble(3.0 * k);
     if (!this->Analyzed)
     {
-      this->Factor.Analyze(A);
+      this->System.Analyze(A);
       this->Analyzed = true;
     }
     this->AnalyzeSeconds = analyze.Seconds();
     const Stopwatch factor;
-    this->Factor.Factor(A);
+    this->System.Factor(A, threads);
     this->FactorSeconds = factor.Seconds();
   }
   this->Factored = k;
@@ -80,29 +82,31 @@ bool GlobalStep::SetWeights(const HalfEdgeScalars& k, double scale)
 void GlobalStep::Solve(const Points& b, Points& Q, int threads)
 {
   const std::vector<int>& rows = this->Matrix.GetRows();
-  this->Work.resize(this->Matrix.GetNumberOfRows(), 3);
-  if (this->Work.rows() == 0)
+  this->Right.resize(this->Matrix.GetNumberOfRows(), 3);
+  this->Solution.resize(this->Right.rows(), 3);
+  if (this->Right.rows() == 0)
   {
     return;
   }
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
-    if (rows[i] >= 0)
+    if (const auto point = static_cast<Eigen::Index>(i); rows[i] >= 0)
     {
-      this->Work.row(rows[i]) = b.row(static_cast<Eigen::Index>(i)) / this->Scale;
+      this->Right.row(rows[i]) = b.row(point) / this->Scale;
+      this->Solution.row(rows[i]) = Q.row(point);
     }
   }
   for (const Border& border : this->Borders)
   {
-    this->Work.row(border.row) +=
+    this->Right.row(border.row) +=
       3.0 * this->Factored.data()[border.halfEdge] * Q.row(border.fixedPoint);
   }
-  this->Factor.Solve(this->Work, threads);
+  this->System.Solve(this->Right, this->Solution, threads);
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     if (rows[i] >= 0)
     {
-      Q.row(static_cast<Eigen::Index>(i)) = this->Work.row(rows[i]);
+      Q.row(static_cast<Eigen::Index>(i)) = this->Solution.row(rows[i]);
     }
   }
 }

@@ -6,6 +6,7 @@
 #define SphericalStyle_GlobalStep_h
 
 #include "EdgeMatrix.h"
+#include "LinearSystem.h"
 
 namespace SphericalStyle
 {
@@ -17,14 +18,16 @@ class GlobalStep
 public:
   GlobalStep() = default;
   /// @param topology  kept by reference, must outlive this @param pinned  points the user fixes
-  GlobalStep(const MeshTopology& topology, const std::vector<int>& pinned);
+  GlobalStep(const MeshTopology& topology, const std::vector<int>& pinned,
+    LinearMethod method = LinearMethod::Automatic);
 
   /// Sets L; to be called before Solve. Factors only if k differs from the weights factored last; a
   /// new scale costs nothing, and new k keep ordering and symbolic factor. @throw SolverError
   /// @return whether it factored
-  bool SetWeights(const HalfEdgeScalars& k, double scale);
+  bool SetWeights(const HalfEdgeScalars& k, double scale, int threads = 1);
 
-  /// @param b  n x 3 @param Q  n x 3: fixed rows hold their positions, the others are replaced
+  /// @param b  n x 3 @param Q  n x 3: fixed rows hold their positions; the others are replaced,
+  /// from where they are by methods that go on from a guess
   void Solve(const Points& b, Points& Q, int threads = 1);
 
   /// n flags: points that Solve does not move.
@@ -34,7 +37,8 @@ public:
 
   double GetAnalyzeSeconds() const { return this->AnalyzeSeconds; }
   double GetFactorSeconds() const { return this->FactorSeconds; }
-  const char* GetSolverName() const { return this->Factor.GetName(); }
+  std::string GetSolverName() const { return this->System.GetName(); }
+  int GetNumberOfLinearSteps() const { return this->System.GetNumberOfSteps(); }
 
 private:
   void BuildMatrix();
@@ -43,7 +47,7 @@ private:
   std::vector<char> Fixed;
   std::vector<char> ComponentIsPinned;
   EdgeMatrix Matrix;
-  SparseCholesky Factor;
+  LinearSystem System;
   HalfEdgeScalars Factored; // the k of the factor
   double Scale = 1.0;
   bool Analyzed = false;
@@ -54,7 +58,8 @@ private:
     int halfEdge;
   };
   std::vector<Border> Borders;
-  SparseCholesky::RightHandSides Work;
+  LinearSystem::RightHandSides Right;
+  LinearSystem::RightHandSides Solution;
   double AnalyzeSeconds = 0.0;
   double FactorSeconds = 0.0;
 };

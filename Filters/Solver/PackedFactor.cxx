@@ -175,7 +175,7 @@ void PackNode(const Node& node, const double* values, Scalar* out)
 }
 
 template <typename Scalar>
-void Pack(const SupernodalFactor& L, int threads, Packed<Scalar>& packed)
+void LayOut(const SupernodalFactor& L, Packed<Scalar>& packed)
 {
   packed.nodes.reserve(L.numberOfSupernodes);
   std::size_t size = 0;
@@ -205,13 +205,29 @@ void Pack(const SupernodalFactor& L, int threads, Packed<Scalar>& packed)
     packed.nodes.push_back(node);
   }
   packed.values.Resize(size);
+}
+
+constexpr std::ptrdiff_t ReleasedAtOnce = 1 << 18; // values
+
+template <typename Scalar>
+void Copy(const SupernodalFactor& L, int threads, Packed<Scalar>& packed,
+  const typename PackedFactor<Scalar>::Release& release)
+{
   ParallelFor(L.numberOfSupernodes, threads,
     [&](int begin, int end)
     {
+      const double* released = L.values + L.firstValue[begin];
       for (int s = begin; s < end; ++s)
       {
         const Node& node = packed.nodes[s];
-        PackNode(node, L.values + L.firstValue[s], packed.values.Get() + node.firstValue);
+        const double* values = L.values + L.firstValue[s];
+        PackNode(node, values, packed.values.Get() + node.firstValue);
+        values += static_cast<std::ptrdiff_t>(L.GetRows(s)) * L.GetColumns(s);
+        if (release && (values - released >= ReleasedAtOnce || s + 1 == end))
+        {
+          release(released, values);
+          released = values;
+        }
       }
     });
 }
@@ -437,11 +453,13 @@ struct PackedFactor<Scalar>::Data : Packed<Scalar>
 };
 
 template <typename Scalar>
-PackedFactor<Scalar>::PackedFactor(const SupernodalFactor& factor, int threads)
+PackedFactor<Scalar>::PackedFactor(
+  const SupernodalFactor& factor, int threads, const Release& release)
   : D(std::make_unique<Data>(factor))
 {
   Data& d = *this->D;
-  Pack<Scalar>(factor, threads, d);
+  LayOut<Scalar>(factor, d);
+  Copy<Scalar>(factor, threads, d, release);
   for (const Node& node : d.nodes)
   {
     d.largestNumberOfTiles = std::max(d.largestNumberOfTiles, node.tiles);

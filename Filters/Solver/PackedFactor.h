@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -30,7 +31,10 @@ class PackedFactor
 {
 public:
   PackedFactor();
-  explicit PackedFactor(const SupernodalFactor& factor, int threads = 1);
+  /// Called with pieces of the factor's values that are copied and not read again.
+  using Release = std::function<void(const double* begin, const double* end)>;
+  explicit PackedFactor(
+    const SupernodalFactor& factor, int threads = 1, const Release& release = {});
   ~PackedFactor();
   PackedFactor(PackedFactor&&) noexcept;
   PackedFactor& operator=(PackedFactor&&) noexcept;

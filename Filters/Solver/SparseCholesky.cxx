@@ -7,10 +7,15 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <cmath>
+#include <cstdint>
 #include <mutex>
+#include <random>
 
 #ifdef SPHERICALSTYLE_WITH_CHOLMOD
 #include <cholmod.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 // Present when the BLAS behind CHOLMOD is OpenBLAS, absent otherwise.
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
@@ -25,7 +30,10 @@ public:
   virtual ~Implementation() = default;
   virtual const char* GetName() const = 0;
   virtual void Analyze(const Matrix& A) = 0;
-  virtual void Factor(const Matrix& A, int threads) = 0;
+  virtual double GetFactorBytes() const { return 0.0; }
+  virtual void Factor(const Matrix& A, Precision precision, int threads) = 0;
+  virtual Precision GetPrecision() const { return Precision::Double; }
+  virtual double GetError() const { return 0.0; }
   virtual void Solve(RightHandSides& B, int threads) const = 0;
 };
 
@@ -35,7 +43,7 @@ class SparseCholesky::EigenImplementation : public SparseCholesky::Implementatio
 public:
   const char* GetName() const override { return "Eigen LDLT"; }
   void Analyze(const Matrix& A) override { this->Ldlt.analyzePattern(A); }
-  void Factor(const Matrix& A, int) override
+  void Factor(const Matrix& A, Precision, int) override
   {
     this->Ldlt.factorize(A);
     if (this->Ldlt.info() != Eigen::Success)
@@ -104,6 +112,43 @@ cholmod_sparse View(const SparseCholesky::Matrix& A)
 }
 }
 
+namespace
+{
+/// Gives the whole pages of an array back to the system; they read as zeros from then on.
+void ReleasePages(const double* begin, const double* end)
+{
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
+  const auto last = reinterpret_cast<std::uintptr_t>(end) / page * page;
+  if (first < last)
+  {
+    madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
+  }
+}
+
+constexpr double LargestError = 1e-3; // of a solution in single precision
+
+/// Error of A^-1 b by the factor, in the norm of A and relative, for numbers b that have nothing to
+/// do with each other: smooth solutions, where the error is largest, come out of them too.
+double ErrorOf(const PackedFactor<float>& factor, const SparseCholesky::Matrix& A, int threads)
+{
+  SparseCholesky::RightHandSides b(A.rows(), 3);
+  std::minstd_rand random; // the same numbers everywhere
+  for (double& value : b.reshaped())
+  {
+    value = static_cast<double>(random()) / std::minstd_rand::max() - 0.5;
+  }
+  SparseCholesky::RightHandSides x = b;
+  factor.Solve(x, threads);
+  const SparseCholesky::RightHandSides left = b - A.selfadjointView<Eigen::Lower>() * x;
+  SparseCholesky::RightHandSides error = left;
+  factor.Solve(error, threads);
+  const double whole = x.cwiseProduct(b).sum();
+  const double off = std::abs(error.cwiseProduct(left).sum());
+  return whole > 0.0 && std::isfinite(off) ? std::sqrt(off / whole) : 1.0;
+}
+}
+
 class SparseCholesky::CholmodImplementation : public SparseCholesky::Implementation
 {
 public:
@@ -126,7 +171,12 @@ public:
 
   const char* GetName() const override
   {
-    return this->Indefinite ? this->Indefinite->GetName() : "CHOLMOD supernodal LLT";
+    if (this->Indefinite)
+    {
+      return this->Indefinite->GetName();
+    }
+    return this->Used == Precision::Single ? "CHOLMOD supernodal LLT in single precision"
+                                           : "CHOLMOD supernodal LLT";
   }
 
   void Analyze(const Matrix& A) override
@@ -142,18 +192,26 @@ public:
     }
   }
 
-  void Factor(const Matrix& A, int threads) override
+  double GetFactorBytes() const override
+  {
+    return sizeof(double) * static_cast<double>(this->Cholesky->xsize);
+  }
+
+  void Factor(const Matrix& A, Precision precision, int threads) override
   {
     const SingleThreadedBlas scope;
     cholmod_sparse view = View(A);
     this->Indefinite.reset();
-    this->Packed = {}; // its memory is needed
+    this->Double = {}; // their memory is needed
+    this->Single = {};
+    this->Used = Precision::Double;
+    this->Error = 0.0;
     cholmod_factorize(&view, this->Cholesky, &this->Common);
     if (this->Common.status == CHOLMOD_NOT_POSDEF)
     {
       this->Indefinite = std::make_unique<EigenImplementation>();
       this->Indefinite->Analyze(A);
-      this->Indefinite->Factor(A, threads);
+      this->Indefinite->Factor(A, precision, threads);
     }
     else if (this->Common.status < CHOLMOD_OK)
     {
@@ -161,7 +219,7 @@ public:
     }
     else
     {
-      this->Packed = PackedFactor<double>(this->ViewFactor(), threads);
+      this->Pack(A, precision, threads);
     }
     // Solves need the values no more; ordering and symbolic factor stay.
     cholmod_change_factor(CHOLMOD_PATTERN, 1, 1, 1, 1, this->Cholesky, &this->Common);
@@ -174,10 +232,34 @@ public:
       this->Indefinite->Solve(B, threads);
       return;
     }
-    this->Packed.Solve(B, threads);
+    this->Used == Precision::Single ? this->Single.Solve(B, threads)
+                                    : this->Double.Solve(B, threads);
   }
+  Precision GetPrecision() const override { return this->Used; }
+  double GetError() const override { return this->Error; }
 
 private:
+  /// Copies the factor in the precision asked for, if that will do. Memory is given back as it is
+  /// copied, so that there is never more than one factor.
+  void Pack(const Matrix& A, Precision precision, int threads)
+  {
+    if (precision == Precision::Single)
+    {
+      this->Single = PackedFactor<float>(this->ViewFactor(), threads, ReleasePages);
+      this->Error = ErrorOf(this->Single, A, threads);
+      if (this->Error <= LargestError)
+      {
+        this->Used = Precision::Single;
+        return;
+      }
+      this->Single = {};
+      this->Error = 0.0;
+      cholmod_sparse view = View(A);
+      cholmod_factorize(&view, this->Cholesky, &this->Common);
+    }
+    this->Double = PackedFactor<double>(this->ViewFactor(), threads, ReleasePages);
+  }
+
   SupernodalFactor ViewFactor() const
   {
     const cholmod_factor& L = *this->Cholesky;
@@ -188,7 +270,10 @@ private:
 
   cholmod_common Common = {};
   cholmod_factor* Cholesky = nullptr;
-  PackedFactor<double> Packed;
+  PackedFactor<double> Double; // one of the two
+  PackedFactor<float> Single;
+  Precision Used = Precision::Double;
+  double Error = 0.0;
   std::unique_ptr<EigenImplementation> Indefinite; // set when the matrix is not positive definite
 };
 #endif
@@ -233,9 +318,24 @@ void SparseCholesky::Analyze(const Matrix& A)
   this->Impl->Analyze(A);
 }
 
-void SparseCholesky::Factor(const Matrix& A, int threads)
+double SparseCholesky::GetFactorBytes() const
 {
-  this->Impl->Factor(A, threads);
+  return this->Impl->GetFactorBytes();
+}
+
+void SparseCholesky::Factor(const Matrix& A, Precision precision, int threads)
+{
+  this->Impl->Factor(A, precision, threads);
+}
+
+SparseCholesky::Precision SparseCholesky::GetPrecision() const
+{
+  return this->Impl->GetPrecision();
+}
+
+double SparseCholesky::GetError() const
+{
+  return this->Impl->GetError();
 }
 
 void SparseCholesky::Solve(RightHandSides& B, int threads) const

@@ -25,6 +25,7 @@ StyleOptions ThesisOptions(StyleOptions options)
   options.anchor = Anchor::LastPoint;
   options.componentCoupling = ComponentCoupling::Independent;
   options.loop.timeBudget = 0.0;
+  options.linearMethod = LinearMethod::Factor;
   options.centerMode = CenterMode::PointMean;
   options.detailSize = 0.0;
   return options;
@@ -210,6 +211,7 @@ public:
   Eigen::MatrixXd Shares; // n x centers; no columns for one center
   // Depends on weights and fixed points too.
   std::vector<int> FixedPoints;
+  LinearMethod Method = LinearMethod::Automatic;
   bool HasGlobal = false;
   GlobalStep Global;
   // Result of the last solve.
@@ -230,19 +232,19 @@ public:
   const Triangles& SummedTriangles() const { return this->Summed().Topology.GetTriangles(); }
 
   void UpdateTriangles(const EnergyTriangleOptions& options);
-  void UpdateBase(double detailSize);
+  void UpdateBase(const StyleOptions& options);
   void UpdateShares(const StyleOptions& options);
   std::vector<Sphere> Spheres(const StyleOptions& options) const;
   Points Directions(
     const StyleOptions& options, const Eigen::Vector3d& center, std::vector<int>& onCenter) const;
   HalfEdgeField Targets(const StyleOptions& options, StyleReport& report);
-  void UpdateGlobal(const std::vector<int>& fixedPoints);
+  void UpdateGlobal(const StyleOptions& options);
   bool IsClosedForm(const StyleOptions& options, const StyleReport& report) const;
   EdgeWeights Prepare(const StyleOptions& options, StyleReport& report);
   EdgeWeights Weights(const StyleOptions& options, StyleReport& report) const;
   void BuildEnergy(const StyleOptions& options, EdgeWeights weights, StyleReport& report);
   void PrepareSteps(StyleReport& report);
-  void FactorGlobal(const EdgeWeights& w, StyleReport& report);
+  void FactorGlobal(const EdgeWeights& w, int threads, StyleReport& report);
   void StartFromRest(const StyleOptions& options);
   void StartFromBlend(double radius);
   void ToModelUnits(const StyleOptions& options, StyleReport& report);
@@ -319,8 +321,9 @@ void StyleSolver::State::UpdateTriangles(const EnergyTriangleOptions& options)
   this->HasTriangles = true;
 }
 
-void StyleSolver::State::UpdateBase(double detailSize)
+void StyleSolver::State::UpdateBase(const StyleOptions& options)
 {
+  const double detailSize = options.detailSize;
   if (detailSize == this->BaseSize)
   {
     return;
@@ -333,8 +336,8 @@ void StyleSolver::State::UpdateBase(double detailSize)
   {
     const EnergyTriangles& triangles = this->Summed();
     // The frame's diagonal is 1, so the fraction is the length.
-    this->Base =
-      SmoothBase(this->P, triangles.Topology, triangles.Cotangents, detailSize, this->Areas);
+    this->Base = SmoothBase(this->P, triangles.Topology, triangles.Cotangents, detailSize,
+      this->Areas, options.linearMethod, options.threads);
     this->Details = this->P - this->Base;
   }
   this->BaseSize = detailSize;
@@ -352,8 +355,9 @@ void StyleSolver::State::UpdateShares(const StyleOptions& options)
   if (centers > 1)
   {
     const EnergyTriangles& triangles = this->Summed();
-    this->Shares = CenterShares(this->P, triangles.Topology, triangles.Cotangents,
-      options.centerBlend, options.centerIds, centers, this->Areas);
+    this->Shares =
+      CenterShares(this->P, triangles.Topology, triangles.Cotangents, options.centerBlend,
+        options.centerIds, centers, this->Areas, options.linearMethod, options.threads);
   }
   this->CenterIds = options.centerIds;
   this->CenterBlend = options.centerBlend;
@@ -452,12 +456,14 @@ HalfEdgeField StyleSolver::State::Targets(const StyleOptions& options, StyleRepo
   return tau;
 }
 
-void StyleSolver::State::UpdateGlobal(const std::vector<int>& fixedPoints)
+void StyleSolver::State::UpdateGlobal(const StyleOptions& options)
 {
-  if (!this->HasGlobal || fixedPoints != this->FixedPoints)
+  if (!this->HasGlobal || options.fixedPoints != this->FixedPoints ||
+    options.linearMethod != this->Method)
   {
-    this->Global = GlobalStep(this->Summed().Topology, fixedPoints);
-    this->FixedPoints = fixedPoints;
+    this->Global = GlobalStep(this->Summed().Topology, options.fixedPoints, options.linearMethod);
+    this->FixedPoints = options.fixedPoints;
+    this->Method = options.linearMethod;
     this->HasGlobal = true;
   }
 }
@@ -491,12 +497,12 @@ EdgeWeights StyleSolver::State::Prepare(const StyleOptions& options, StyleReport
   report.negativeEdges = this->Summed().NumberOfNegativeEdges;
   report.wallStitches = this->Summed().NumberOfWallStitches;
   report.stitches = this->Summed().NumberOfStitches - report.wallStitches;
-  this->UpdateGlobal(options.fixedPoints);
+  this->UpdateGlobal(options);
   EdgeWeights weights = this->Weights(options, report);
   const auto base = [&]
   {
     const Stopwatch watch;
-    this->UpdateBase(options.detailSize);
+    this->UpdateBase(options);
     this->UpdateShares(options);
     report.seconds.base = watch.Seconds();
   };
@@ -504,7 +510,7 @@ EdgeWeights StyleSolver::State::Prepare(const StyleOptions& options, StyleReport
   {
     const auto policy = options.threads > 1 ? std::launch::async : std::launch::deferred;
     std::future<void> meanwhile = std::async(policy, base);
-    this->FactorGlobal(weights, report);
+    this->FactorGlobal(weights, options.threads, report);
     meanwhile.get();
   }
   else
@@ -562,10 +568,10 @@ void StyleSolver::State::PrepareSteps(StyleReport& report)
   report.seconds.weights += watch.Seconds();
 }
 
-void StyleSolver::State::FactorGlobal(const EdgeWeights& w, StyleReport& report)
+void StyleSolver::State::FactorGlobal(const EdgeWeights& w, int threads, StyleReport& report)
 {
-  report.factored = w.proportional ? this->Global.SetWeights(w.c, 1.0 + w.ratio)
-                                   : this->Global.SetWeights(w.c + w.l, 1.0);
+  report.factored = w.proportional ? this->Global.SetWeights(w.c, 1.0 + w.ratio, threads)
+                                   : this->Global.SetWeights(w.c + w.l, 1.0, threads);
   report.seconds.analyze = this->Global.GetAnalyzeSeconds();
   report.seconds.factor = this->Global.GetFactorSeconds();
   report.linearSolver = this->Global.GetSolverName();
@@ -646,7 +652,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     s.PrepareSteps(report);
     if (options.detailSize == 0.0)
     {
-      s.FactorGlobal(s.Energy.GetWeights(), report);
+      s.FactorGlobal(s.Energy.GetWeights(), options.threads, report);
     }
   }
   const Stopwatch iterate;

@@ -56,6 +56,7 @@ struct StyleOptions
   ComponentCoupling componentCoupling = ComponentCoupling::Independent;
   InitialGuess initialGuess = InitialGuess::Blend;
   LoopOptions loop;
+  LinearMethod linearMethod = LinearMethod::Automatic;
   int threads = 1;
 
   Eigen::VectorXd roundnessFactors; ///< n, >= 0: lambda_i = lambda * factor
@@ -102,7 +103,7 @@ struct StyleReport
   int stitches = 0;                ///< edges between parts [stitch]
   int wallStitches = 0;            ///< edges through thin walls [wall]
   bool factored = false;           ///< whether this solve had to factor
-  const char* linearSolver = "none";
+  std::string linearSolver = "none";
   StageSeconds seconds;
 };
 
@@ -115,7 +116,7 @@ struct StyleReport
 /// | to or from intrinsic Delaunay triangles  | all but the surface's own topology       |
 /// | lambda (uniform weights), edge weighting | matrix values, numeric factor, targets   |
 /// | lambda (cotangent weights)               | targets                                  |
-/// | fixed points                             | ordering, symbolic and numeric factor    |
+/// | fixed points, linear method              | ordering, symbolic and numeric factor    |
 /// | detail size                              | base, targets; if parts are stitched     |
 /// |                                          | all but the surface's own topology       |
 /// | center ids, blend of several centers     | shares of the centers, targets           |

@@ -784,6 +784,7 @@ void Properties(Checker& check)
   RoundTrip(ComponentCoupling, 0, 1);
   OnOff(WeldCoincidentPoints, true);
   RoundTrip(InitialGuess, 0, 2);
+  RoundTrip(LinearSolver, 0, 3);
   RoundTrip(TimeBudget, 0.0, 0.5);
   OnOff(RefineLongEdges, false);
   RoundTrip(MaximumEdgeLength, 0.04, 0.1);
@@ -841,6 +842,10 @@ void Properties(Checker& check)
   Mode(InitialGuess, Blend, BLEND, 0);
   Mode(InitialGuess, Rest, REST, 1);
   Mode(InitialGuess, LastResult, LAST_RESULT, 2);
+  Mode(LinearSolver, Automatic, AUTOMATIC, 0);
+  Mode(LinearSolver, Factor, FACTOR, 1);
+  Mode(LinearSolver, SinglePrecisionFactor, SINGLE_PRECISION_FACTOR, 2);
+  Mode(LinearSolver, ConjugateGradients, CONJUGATE_GRADIENTS, 3);
 
   const double* center = filter->GetCenter();
   check(center[0] == 0.0 && center[1] == 0.0 && center[2] == 0.0, "Center should start at 0");
@@ -854,7 +859,7 @@ void Properties(Checker& check)
   for (const char* name : { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode",
          "Radius", "DetailSize", "SphericalWeighting", "ConcaveEdges", "EdgeWeighting", "StopRule",
          "Tolerance", "MaximumNumberOfIterations", "Acceleration", "Anchor", "ComponentCoupling",
-         "WeldCoincidentPoints", "InitialGuess", "TimeBudget", "RefineLongEdges",
+         "WeldCoincidentPoints", "InitialGuess", "LinearSolver", "TimeBudget", "RefineLongEdges",
          "MaximumEdgeLength", "ReproduceThesis", "OutputPointsPrecision", "NumberOfThreads",
          "GenerateTargetDirection", "GenerateDisplacement", "GenerateNormals", "GenerateCellEnergy",
          "GenerateRotation", "NumberOfIterations", "Converged", "FinalEnergy", "EffectiveCenter",

@@ -176,6 +176,7 @@ void Properties(Checker& check, vtkPolyData* model)
     { "Anchor", [](F* f) { f->SetAnchorToLastPoint(); } },
     { "ComponentCoupling", [](F* f) { f->SetComponentCouplingToIndependent(); } },
     { "InitialGuess", [](F* f) { f->SetInitialGuessToRest(); } },
+    { "LinearSolver", [](F* f) { f->SetLinearSolverToConjugateGradients(); } },
     { "NumberOfThreads", [](F* f) { f->SetNumberOfThreads(3); } },
   };
   for (const auto& [name, change] : ignored)

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LinearSystem.h"
+
+#include "TriangleMesh.h"
+
+#include <unistd.h>
+
+namespace SphericalStyle
+{
+namespace
+{
+constexpr int SmallestSingle = 20000; // rows; below, a solve takes no time worth halving
+
+double HalfOfMemory()
+{
+  return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+    static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+}
+
+LinearSystem::LinearSystem(LinearMethod method)
+  : Method(method)
+  , LargestFactor(HalfOfMemory())
+{
+}
+
+void LinearSystem::Analyze(const Matrix& A)
+{
+  this->Used = this->Method;
+  if (this->Method == LinearMethod::ConjugateGradients)
+  {
+    return;
+  }
+  if (this->Method == LinearMethod::Automatic)
+  {
+    this->Used = this->Choose(A);
+  }
+  else
+  {
+    this->Cholesky.Analyze(A);
+  }
+}
+
+LinearMethod LinearSystem::Choose(const Matrix& A)
+{
+  try
+  {
+    this->Cholesky.Analyze(A);
+    if (this->Cholesky.GetFactorBytes() <= this->LargestFactor)
+    {
+      return A.rows() < SmallestSingle ? LinearMethod::Factor : LinearMethod::SingleFactor;
+    }
+  }
+  catch (const SolverError&) // too large to be ordered, or to be counted in 32 bits
+  {
+  }
+  this->Cholesky = SparseCholesky();
+  return LinearMethod::ConjugateGradients;
+}
+
+void LinearSystem::Factor(const Matrix& A, int threads)
+{
+  this->NumberOfSteps = 0;
+  this->Full = {};
+  this->Gradients = {};
+  if (this->Used == LinearMethod::ConjugateGradients)
+  {
+    this->Full = FullMatrix(A);
+    if (this->Gradients.SetMatrix(A))
+    {
+      return;
+    }
+    this->Full = {}; // not positive definite
+    this->Used = LinearMethod::Factor;
+    this->Cholesky.Analyze(A);
+  }
+  const bool single = this->Used == LinearMethod::SingleFactor;
+  this->Cholesky.Factor(
+    A, single ? SparseCholesky::Precision::Single : SparseCholesky::Precision::Double, threads);
+  if (this->Cholesky.GetPrecision() == SparseCholesky::Precision::Single)
+  {
+    this->Full = FullMatrix(A);
+  }
+}
+
+void LinearSystem::Solve(const RightHandSides& B, RightHandSides& X, int threads)
+{
+  if (this->Used == LinearMethod::ConjugateGradients)
+  {
+    this->NumberOfSteps += this->Gradients.Solve(this->Full, B, X, this->ShareLeft, threads);
+    if (!X.allFinite())
+    {
+      throw SolverError("the system matrix is singular to machine precision");
+    }
+  }
+  else if (this->Cholesky.GetPrecision() == SparseCholesky::Precision::Single)
+  {
+    // Each correction leaves the square of its error of what could be gained.
+    const double left = this->Cholesky.GetError() * this->Cholesky.GetError();
+    double share = 1.0;
+    do
+    {
+      RightHandSides correction = this->Full.Residual(B, X, threads);
+      this->Cholesky.Solve(correction, threads);
+      X += correction;
+      share *= left;
+    } while (share > this->ShareLeft);
+  }
+  else
+  {
+    X = B;
+    this->Cholesky.Solve(X, threads);
+  }
+}
+
+std::string LinearSystem::GetName() const
+{
+  return this->Used == LinearMethod::ConjugateGradients ? "conjugate gradients, incomplete Cholesky"
+                                                        : this->Cholesky.GetName();
+}
+} // namespace SphericalStyle
