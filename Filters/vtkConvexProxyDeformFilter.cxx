@@ -399,7 +399,6 @@ void vtkConvexProxyDeformFilter::Internals::SetFacts(vtkConvexProxyDeformFilter*
 vtkConvexProxyDeformFilter::vtkConvexProxyDeformFilter()
   : Internal(std::make_unique<Internals>())
 {
-  NoteBlocks(this);
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(
@@ -447,7 +446,7 @@ int vtkConvexProxyDeformFilter::FillInputPortInformation(int port, vtkInformatio
   return 1;
 }
 
-int vtkConvexProxyDeformFilter::RequestData(
+int vtkConvexProxyDeformFilter::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[MODEL], 0);

@@ -71,15 +71,15 @@
 #define vtkConvexProxyDeformFilter_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholeSurfaceAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 
-class SPHERICALSTYLEFILTERS_EXPORT vtkConvexProxyDeformFilter : public vtkPolyDataAlgorithm
+class SPHERICALSTYLEFILTERS_EXPORT vtkConvexProxyDeformFilter : public vtkWholeSurfaceAlgorithm
 {
 public:
   static vtkConvexProxyDeformFilter* New();
-  vtkTypeMacro(vtkConvexProxyDeformFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkConvexProxyDeformFilter, vtkWholeSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum ProxyMeshers
@@ -423,7 +423,7 @@ protected:
   ~vtkConvexProxyDeformFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkConvexProxyDeformFilter(const vtkConvexProxyDeformFilter&) = delete;

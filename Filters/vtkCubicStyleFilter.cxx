@@ -38,7 +38,6 @@ void vtkCubicStyleFilter::Internals::SetFacts(
 vtkCubicStyleFilter::vtkCubicStyleFilter()
   : Internal(std::make_unique<Internals>())
 {
-  NoteBlocks(this);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -60,7 +59,7 @@ int vtkCubicStyleFilter::FillOutputPortInformation(int port, vtkInformation* inf
   return this->Superclass::FillOutputPortInformation(port, info);
 }
 
-int vtkCubicStyleFilter::RequestData(
+int vtkCubicStyleFilter::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);

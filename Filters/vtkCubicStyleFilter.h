@@ -44,15 +44,15 @@
 #define vtkCubicStyleFilter_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholeSurfaceAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 
-class SPHERICALSTYLEFILTERS_EXPORT vtkCubicStyleFilter : public vtkPolyDataAlgorithm
+class SPHERICALSTYLEFILTERS_EXPORT vtkCubicStyleFilter : public vtkWholeSurfaceAlgorithm
 {
 public:
   static vtkCubicStyleFilter* New();
-  vtkTypeMacro(vtkCubicStyleFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkCubicStyleFilter, vtkWholeSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum StopRules
@@ -157,7 +157,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkCubicStyleFilter(const vtkCubicStyleFilter&) = delete;

@@ -125,7 +125,6 @@ void vtkNormalAnalogyFilter::Internals::SetFacts(
 vtkNormalAnalogyFilter::vtkNormalAnalogyFilter()
   : Internal(std::make_unique<Internals>())
 {
-  NoteBlocks(this);
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
@@ -166,7 +165,7 @@ int vtkNormalAnalogyFilter::FillOutputPortInformation(int port, vtkInformation* 
   return this->Superclass::FillOutputPortInformation(port, info);
 }
 
-int vtkNormalAnalogyFilter::RequestData(
+int vtkNormalAnalogyFilter::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[MODEL], 0);

@@ -47,15 +47,15 @@
 #define vtkNormalAnalogyFilter_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholeSurfaceAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 
-class SPHERICALSTYLEFILTERS_EXPORT vtkNormalAnalogyFilter : public vtkPolyDataAlgorithm
+class SPHERICALSTYLEFILTERS_EXPORT vtkNormalAnalogyFilter : public vtkWholeSurfaceAlgorithm
 {
 public:
   static vtkNormalAnalogyFilter* New();
-  vtkTypeMacro(vtkNormalAnalogyFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkNormalAnalogyFilter, vtkWholeSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Styles
@@ -201,7 +201,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkNormalAnalogyFilter(const vtkNormalAnalogyFilter&) = delete;

@@ -52,10 +52,7 @@ Sphere FindSphere(
 }
 }
 
-vtkSphereProjectionFilter::vtkSphereProjectionFilter()
-{
-  NoteBlocks(this);
-}
+vtkSphereProjectionFilter::vtkSphereProjectionFilter() {}
 
 int vtkSphereProjectionFilter::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -63,7 +60,7 @@ int vtkSphereProjectionFilter::FillInputPortInformation(int, vtkInformation* inf
   return 1;
 }
 
-int vtkSphereProjectionFilter::RequestData(
+int vtkSphereProjectionFilter::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   namespace Conversion = vtkSurfaceMeshConversion;

@@ -34,13 +34,13 @@
 #define vtkSphereProjectionFilter_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholeSurfaceAlgorithm.h"
 
-class SPHERICALSTYLEFILTERS_EXPORT vtkSphereProjectionFilter : public vtkPolyDataAlgorithm
+class SPHERICALSTYLEFILTERS_EXPORT vtkSphereProjectionFilter : public vtkWholeSurfaceAlgorithm
 {
 public:
   static vtkSphereProjectionFilter* New();
-  vtkTypeMacro(vtkSphereProjectionFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSphereProjectionFilter, vtkWholeSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum CenterModes
@@ -142,7 +142,7 @@ protected:
   ~vtkSphereProjectionFilter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkSphereProjectionFilter(const vtkSphereProjectionFilter&) = delete;

@@ -588,7 +588,6 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
 vtkSphericalStyleFilter::vtkSphericalStyleFilter()
   : Internal(std::make_unique<Internals>())
 {
-  NoteBlocks(this);
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(
@@ -661,7 +660,7 @@ int vtkSphericalStyleFilter::FillOutputPortInformation(int port, vtkInformation*
   return this->Superclass::FillOutputPortInformation(port, info);
 }
 
-int vtkSphericalStyleFilter::RequestData(
+int vtkSphericalStyleFilter::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   Internals::Inputs inputs = { vtkPolyData::GetData(inputVector[MODEL], 0),

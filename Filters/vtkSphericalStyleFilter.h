@@ -105,19 +105,19 @@
 #define vtkSphericalStyleFilter_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkTimeStamp.h" // for vtkTimeStamp
+#include "vtkTimeStamp.h"                // for vtkTimeStamp
+#include "vtkWholeSurfaceAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
 class vtkPointSet;
 
-class SPHERICALSTYLEFILTERS_EXPORT vtkSphericalStyleFilter : public vtkPolyDataAlgorithm
+class SPHERICALSTYLEFILTERS_EXPORT vtkSphericalStyleFilter : public vtkWholeSurfaceAlgorithm
 {
 public:
   static vtkSphericalStyleFilter* New();
-  vtkTypeMacro(vtkSphericalStyleFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSphericalStyleFilter, vtkWholeSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Features
@@ -642,7 +642,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkSphericalStyleFilter(const vtkSphericalStyleFilter&) = delete;

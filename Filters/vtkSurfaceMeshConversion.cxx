@@ -327,6 +327,21 @@ void CheckAllNormals(vtkPolyData* input)
   CheckNormals(input->GetCellData(), input->GetNumberOfCells(), "cells");
 }
 
+void CheckArrays(vtkDataSetAttributes* attributes, vtkIdType number, const char* what)
+{
+  for (int k = 0; k < attributes->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = attributes->GetAbstractArray(k);
+    if (array->GetNumberOfTuples() != number)
+    {
+      std::ostringstream message;
+      message << "Input: array \"" << (array->GetName() ? array->GetName() : "") << "\" has "
+              << array->GetNumberOfTuples() << " tuples for " << number << " " << what;
+      Refuse(message);
+    }
+  }
+}
+
 /// One point at the place of each point, the same for all that coincide.
 std::vector<vtkIdType> Representatives(Points& x, bool weld)
 {
@@ -591,6 +606,17 @@ bool Update(vtkPolyData* input, bool weld, vtkSurfaceMesh& surface)
   surface = {}; // nothing of the old one is kept should the next line throw
   surface = FromPolyData(input, weld);
   return true;
+}
+
+void CheckPiece(vtkPolyData* piece)
+{
+  CheckCells(piece);
+  if (piece->GetNumberOfPoints() > 0)
+  {
+    CheckedPoints(piece);
+  }
+  CheckArrays(piece->GetPointData(), piece->GetNumberOfPoints(), "points");
+  CheckArrays(piece->GetCellData(), piece->GetNumberOfCells(), "cells");
 }
 
 std::vector<FaceTriangle> Triangles(vtkPolyData* input)

@@ -65,6 +65,11 @@ vtkSurfaceMesh FromPolyData(
 /// @return whether it was made anew @throw see FromPolyData; `surface` is empty then
 bool Update(vtkPolyData* input, bool weld, vtkSurfaceMesh& surface);
 
+/// What FromPolyData refuses, and arrays of another number of tuples than points or cells.
+/// @param piece  of a surface that is going to be put together
+/// @throw std::invalid_argument see FromPolyData, or naming the array
+void CheckPiece(vtkPolyData* piece);
+
 /// A triangle of a cell, by input points.
 struct FaceTriangle
 {

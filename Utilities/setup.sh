@@ -15,8 +15,8 @@ packages=(
   # build
   ca-certificates cmake g++ git ninja-build
   libcgal-dev libeigen3-dev libopenblas-dev libsuitesparse-dev
-  # ParaView 5.11 with its VTK 9.2, its Python, and the MPI its CMake package asks for
-  libopenmpi-dev paraview paraview-dev python3-paraview
+  # ParaView 5.11 with its VTK 9.2, its Python, the MPI its CMake package asks for, and mpirun
+  libopenmpi-dev openmpi-bin paraview paraview-dev python3-paraview
   # what makes the plugin's help pages and icons
   qhelpgenerator-qt5 qtbase5-dev qtxmlpatterns5-dev-tools
   # headers that VTK's rendering modules ask for; the tests compare pictures

@@ -11,7 +11,7 @@ import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkPolyDataAlgorithm
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 import sphericalstyle
 
@@ -98,6 +98,7 @@ PRECISIONS = ["Single", "Double", "Default"]
 
 xml_name = os.path.splitext(os.path.basename(sys.argv[1]))[0]
 Filter = getattr(sphericalstyle, "vtk" + xml_name)
+Base = Filter.__mro__[1]  # what that has (Controller) is for programs alone
 expected = FILTERS[xml_name]
 failures = []
 
@@ -169,7 +170,7 @@ def enumeration_of(name):
     if name == "OutputPointsPrecision":
         return list(zip(PRECISIONS, range(len(PRECISIONS))))
     values = []
-    for words in methods(f"Set{name}To", Filter, vtkPolyDataAlgorithm):
+    for words in methods(f"Set{name}To", Filter, Base):
         filter_ = Filter()
         getattr(filter_, f"Set{name}To{words}")()
         value = getattr(filter_, "Get" + name)()
@@ -214,9 +215,9 @@ elements = {e.get("name"): e for e in proxy if re.search("Property$", e.tag)}
 for name, element in elements.items():
     check_documentation(name, element)
 
-getters = methods("Get", Filter, vtkPolyDataAlgorithm)
+getters = methods("Get", Filter, Base)
 limits = {g for g in getters if re.search("M(in|ax)Value$", g)}
-settable = {s for s in methods("Set", Filter, vtkPolyDataAlgorithm) if s in getters}
+settable = {s for s in methods("Set", Filter, Base) if s in getters}
 read_only = getters - settable - limits
 information = {n for n, e in elements.items() if e.get("information_only") == "1"}
 others = set(expected["arrays"]) | set(expected["inputs"])

@@ -1,0 +1,530 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDistributedSurface.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace
+{
+enum Tags // any numbers that nobody else sends at the same time
+{
+  PIECE = 73101,
+  REPLY
+};
+
+constexpr int NumberOfKinds = 4;
+
+/// In the order in which vtkPolyData numbers its cells.
+std::array<vtkCellArray*, NumberOfKinds> Kinds(vtkPolyData* surface)
+{
+  return { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() };
+}
+
+struct CellOfPiece
+{
+  int Kind;
+  std::vector<vtkIdType> Corners;
+};
+
+CellOfPiece FindCell(vtkPolyData* piece, vtkIdType id)
+{
+  const auto kinds = Kinds(piece);
+  int kind = 0;
+  while (id >= kinds[kind]->GetNumberOfCells())
+  {
+    id -= kinds[kind++]->GetNumberOfCells();
+  }
+  vtkIdType size = 0;
+  const vtkIdType* corners = nullptr;
+  kinds[kind]->GetCellAtId(id, size, corners);
+  return { kind, std::vector<vtkIdType>(corners, corners + size) };
+}
+
+/// Marks of points or cells that another piece owns; nullptr without.
+vtkUnsignedCharArray* Ghosts(vtkDataSetAttributes* attributes)
+{
+  return vtkUnsignedCharArray::SafeDownCast(
+    attributes->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
+}
+
+bool IsDuplicate(vtkUnsignedCharArray* ghosts, vtkIdType i, unsigned char duplicate)
+{
+  return ghosts && (ghosts->GetValue(i) & duplicate) != 0;
+}
+
+/// A place in space, or a global id.
+using Key = std::array<std::uint64_t, 3>;
+
+Key KeyOfPlace(const double x[3])
+{
+  Key key;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double value = x[k] + 0.0; // -0 and 0 are one place
+    std::memcpy(&key[k], &value, sizeof(value));
+  }
+  return key;
+}
+
+/// Global ids of all pieces, or none.
+template <typename Attributes>
+std::vector<vtkDataArray*> GlobalIds(
+  const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, Attributes attributes)
+{
+  std::vector<vtkDataArray*> ids;
+  for (const auto& piece : pieces)
+  {
+    vtkDataArray* own = attributes(piece)->GetGlobalIds();
+    if (!own && piece->GetNumberOfPoints() > 0)
+    {
+      return {};
+    }
+    ids.push_back(own);
+  }
+  return ids;
+}
+
+std::uint64_t GlobalId(vtkDataArray* ids, vtkIdType i)
+{
+  return static_cast<std::uint64_t>(ids->GetComponent(i, 0));
+}
+
+vtkDataSetAttributes* PointData(vtkPolyData* surface)
+{
+  return surface->GetPointData();
+}
+
+vtkDataSetAttributes* CellData(vtkPolyData* surface)
+{
+  return surface->GetCellData();
+}
+
+/// The tuples of the origins, in their order, of the arrays that all pieces have.
+template <typename Attributes, typename Origins>
+void CopyArrays(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, Attributes attributes,
+  const Origins& origins, vtkDataSetAttributes* to)
+{
+  vtkDataSetAttributes::FieldList arrays;
+  std::vector<int> index(pieces.size(), 0);
+  int count = 0;
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+  {
+    if (pieces[k]->GetNumberOfPoints() > 0)
+    {
+      arrays.IntersectFieldList(attributes(pieces[k]));
+      index[k] = count++;
+    }
+  }
+  arrays.CopyAllocate(
+    to, vtkDataSetAttributes::COPYTUPLE, static_cast<vtkIdType>(origins.size()), 0);
+  for (std::size_t i = 0; i < origins.size(); ++i)
+  {
+    const auto [piece, id] = origins[i];
+    arrays.CopyData(index[piece], attributes(pieces[piece]), id, to, static_cast<vtkIdType>(i));
+  }
+  to->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+}
+
+using Arrays = std::vector<vtkSmartPointer<vtkAbstractArray>>;
+
+/// What the result has in place of the arrays of the whole, or more than it, at the places of a
+/// piece; zero where a place is none.
+Arrays PickArrays(
+  vtkDataSetAttributes* whole, vtkDataSetAttributes* result, const std::vector<vtkIdType>& places)
+{
+  vtkNew<vtkIdList> from;
+  vtkNew<vtkIdList> at;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    if (places[i] >= 0)
+    {
+      from->InsertNextId(places[i]);
+      at->InsertNextId(static_cast<vtkIdType>(i));
+    }
+  }
+  Arrays picked;
+  for (int k = 0; k < result->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = result->GetAbstractArray(k);
+    if (!array->GetName() || whole->GetAbstractArray(array->GetName()) == array)
+    {
+      continue;
+    }
+    const auto own = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+    own->SetName(array->GetName());
+    own->SetNumberOfComponents(array->GetNumberOfComponents());
+    own->CopyComponentNames(array);
+    own->SetNumberOfTuples(static_cast<vtkIdType>(places.size()));
+    if (vtkDataArray* numbers = vtkDataArray::SafeDownCast(own))
+    {
+      numbers->Fill(0.0);
+    }
+    own->InsertTuples(at, from, array);
+    picked.push_back(own);
+  }
+  return picked;
+}
+}
+
+vtkDistributedSurface::vtkDistributedSurface(vtkMultiProcessController* controller)
+  : Controller(controller)
+{
+}
+
+void vtkDistributedSurface::Gather(vtkPolyData* piece)
+{
+  if (this->Controller->GetLocalProcessId() > 0)
+  {
+    this->Controller->Send(piece, 0, PIECE);
+    return;
+  }
+  this->Gathered.resize(this->Controller->GetNumberOfProcesses());
+  this->Place.assign(this->Gathered.size(), {});
+  for (std::size_t k = 0; k < this->Gathered.size(); ++k)
+  {
+    this->Gathered[k] = vtkSmartPointer<vtkPolyData>::New();
+    if (k == 0)
+    {
+      this->Gathered[k]->ShallowCopy(piece);
+    }
+    else
+    {
+      this->Controller->Receive(this->Gathered[k], static_cast<int>(k), PIECE);
+    }
+    this->Place[k].Points.assign(this->Gathered[k]->GetNumberOfPoints(), Nowhere);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> vtkDistributedSurface::Assemble()
+{
+  const auto whole = vtkSmartPointer<vtkPolyData>::New();
+  if (this->Gathered.empty())
+  {
+    return whole;
+  }
+  const std::vector<Origin> points = this->PlacePoints();
+  const std::vector<Origin> cells = this->PlaceCells();
+  this->PlaceGhostCells(cells, points.size());
+  this->CopyPoints(points, whole);
+  this->CopyCells(cells, whole);
+  CopyArrays(this->Gathered, PointData, points, whole->GetPointData());
+  CopyArrays(this->Gathered, CellData, cells, whole->GetCellData());
+  this->JoinMarks(whole);
+  whole->GetFieldData()->ShallowCopy(this->Gathered.front()->GetFieldData());
+  this->Gathered.clear();
+  return whole;
+}
+
+void vtkDistributedSurface::CopyPoints(const std::vector<Origin>& origins, vtkPolyData* whole) const
+{
+  const bool single = std::all_of(this->Gathered.begin(), this->Gathered.end(),
+    [](vtkPolyData* piece)
+    { return piece->GetNumberOfPoints() == 0 || piece->GetPoints()->GetDataType() == VTK_FLOAT; });
+  vtkNew<vtkPoints> points;
+  points->SetDataType(single ? VTK_FLOAT : VTK_DOUBLE);
+  points->SetNumberOfPoints(static_cast<vtkIdType>(origins.size()));
+  for (std::size_t i = 0; i < origins.size(); ++i)
+  {
+    const auto [piece, id] = origins[i];
+    points->SetPoint(static_cast<vtkIdType>(i), this->Gathered[piece]->GetPoint(id));
+  }
+  whole->SetPoints(points);
+}
+
+void vtkDistributedSurface::CopyCells(const std::vector<Origin>& origins, vtkPolyData* whole) const
+{
+  std::array<vtkNew<vtkCellArray>, NumberOfKinds> cells;
+  for (const auto [piece, id] : origins)
+  {
+    const CellOfPiece cell = FindCell(this->Gathered[piece], id);
+    const std::vector<vtkIdType> corners = this->Corners(piece, cell.Corners);
+    cells[cell.Kind]->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+  }
+  whole->SetVerts(cells[0]);
+  whole->SetLines(cells[1]);
+  whole->SetPolys(cells[2]);
+  whole->SetStrips(cells[3]);
+}
+
+std::vector<vtkIdType> vtkDistributedSurface::Corners(
+  std::size_t piece, const std::vector<vtkIdType>& corners) const
+{
+  std::vector<vtkIdType> result(corners.size());
+  std::transform(corners.begin(), corners.end(), result.begin(),
+    [&places = this->Place[piece].Points](vtkIdType point) { return places[point]; });
+  return result;
+}
+
+std::vector<vtkDistributedSurface::Origin> vtkDistributedSurface::PlacePoints()
+{
+  const auto& pieces = this->Gathered;
+  struct Copy
+  {
+    Key Where;
+    int Piece;
+    vtkIdType Id;
+    bool Ghost;
+  };
+  const std::vector<vtkDataArray*> globalIds = GlobalIds(pieces, PointData);
+  std::vector<Copy> copies;
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+  {
+    vtkPolyData* piece = pieces[k];
+    vtkUnsignedCharArray* ghosts = Ghosts(piece->GetPointData());
+    const vtkIdType n = piece->GetNumberOfPoints();
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      copies.push_back({ globalIds.empty() ? KeyOfPlace(piece->GetPoint(i))
+                                           : Key{ GlobalId(globalIds[k], i), 0, 0 },
+        static_cast<int>(k), i, IsDuplicate(ghosts, i, vtkDataSetAttributes::DUPLICATEPOINT) });
+    }
+  }
+  std::sort(copies.begin(), copies.end(),
+    [](const Copy& a, const Copy& b)
+    { return std::tie(a.Where, a.Piece, a.Id) < std::tie(b.Where, b.Piece, b.Id); });
+
+  // The points of the whole: copies at one place, of which no two are of one piece.
+  std::vector<Copy> owners;
+  std::vector<vtkIdType> ownerOf(copies.size());
+  for (std::size_t begin = 0, end = 0; begin < copies.size(); begin = end)
+  {
+    const auto first = owners.size();
+    std::size_t turn = 0; // among the points of this piece at this place
+    for (; end < copies.size() && copies[end].Where == copies[begin].Where; ++end)
+    {
+      turn = end > begin && copies[end].Piece == copies[end - 1].Piece ? turn + 1 : 0;
+      Copy& copy = copies[end];
+      if (first + turn == owners.size())
+      {
+        owners.push_back(copy);
+      }
+      else if (owners[first + turn].Ghost && !copy.Ghost)
+      {
+        owners[first + turn] = copy;
+      }
+      ownerOf[end] = static_cast<vtkIdType>(first + turn);
+    }
+  }
+
+  std::vector<vtkIdType> order(owners.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (globalIds.empty())
+  {
+    std::sort(order.begin(), order.end(),
+      [&owners](vtkIdType a, vtkIdType b) {
+        return std::tie(owners[a].Piece, owners[a].Id) < std::tie(owners[b].Piece, owners[b].Id);
+      });
+  }
+  std::vector<vtkIdType> rank(owners.size());
+  std::vector<Origin> origins;
+  for (const vtkIdType owner : order)
+  {
+    rank[owner] = static_cast<vtkIdType>(origins.size());
+    origins.push_back({ owners[owner].Piece, owners[owner].Id });
+  }
+  for (std::size_t i = 0; i < copies.size(); ++i)
+  {
+    this->Place[copies[i].Piece].Points[copies[i].Id] = rank[ownerOf[i]];
+  }
+  return origins;
+}
+
+std::vector<vtkDistributedSurface::Origin> vtkDistributedSurface::PlaceCells()
+{
+  const auto& pieces = this->Gathered;
+  struct Owned
+  {
+    int Kind;
+    std::uint64_t GlobalId;
+    Origin From;
+  };
+  const std::vector<vtkDataArray*> globalIds = GlobalIds(pieces, CellData);
+  std::vector<Owned> owned;
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+  {
+    vtkUnsignedCharArray* ghosts = Ghosts(pieces[k]->GetCellData());
+    this->Place[k].Cells.assign(pieces[k]->GetNumberOfCells(), Nowhere);
+    vtkIdType id = 0;
+    const auto kinds = Kinds(pieces[k]);
+    for (int kind = 0; kind < NumberOfKinds; ++kind)
+    {
+      for (vtkIdType i = 0; i < kinds[kind]->GetNumberOfCells(); ++i, ++id)
+      {
+        if (!IsDuplicate(ghosts, id, vtkDataSetAttributes::DUPLICATECELL))
+        {
+          owned.push_back({ kind, globalIds.empty() ? 0 : GlobalId(globalIds[k], id),
+            { static_cast<int>(k), id } });
+        }
+      }
+    }
+  }
+  std::stable_sort(owned.begin(), owned.end(),
+    [](const Owned& a, const Owned& b)
+    { return std::tie(a.Kind, a.GlobalId) < std::tie(b.Kind, b.GlobalId); });
+  std::vector<Origin> origins;
+  for (const Owned& cell : owned)
+  {
+    this->Place[cell.From.Piece].Cells[cell.From.Id] = static_cast<vtkIdType>(origins.size());
+    origins.push_back(cell.From);
+  }
+  return origins;
+}
+
+void vtkDistributedSurface::PlaceGhostCells(
+  const std::vector<Origin>& cells, std::size_t numberOfPoints)
+{
+  const auto isGhost = [](vtkIdType cell) { return cell == Nowhere; };
+  std::vector<int> pieces; // that have a cell to be found
+  for (std::size_t k = 0; k < this->Place.size(); ++k)
+  {
+    if (std::any_of(this->Place[k].Cells.begin(), this->Place[k].Cells.end(), isGhost))
+    {
+      pieces.push_back(static_cast<int>(k));
+    }
+  }
+  if (pieces.empty())
+  {
+    return;
+  }
+  const auto sortedCorners = [this](const Origin& cell)
+  {
+    std::vector<vtkIdType> corners =
+      this->Corners(cell.Piece, FindCell(this->Gathered[cell.Piece], cell.Id).Corners);
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  };
+  // A cell of two pieces has points of both only.
+  std::vector<int> copies(numberOfPoints, 0);
+  for (const Places& places : this->Place)
+  {
+    for (const vtkIdType point : places.Points)
+    {
+      ++copies[point];
+    }
+  }
+  std::map<std::vector<vtkIdType>, vtkIdType> owned;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    std::vector<vtkIdType> corners = sortedCorners(cells[i]);
+    if (std::all_of(corners.begin(), corners.end(), [&](vtkIdType p) { return copies[p] > 1; }))
+    {
+      owned.emplace(std::move(corners), static_cast<vtkIdType>(i));
+    }
+  }
+  for (const int piece : pieces)
+  {
+    std::vector<vtkIdType>& places = this->Place[piece].Cells;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const auto found = places[i] == Nowhere
+        ? owned.find(sortedCorners({ piece, static_cast<vtkIdType>(i) }))
+        : owned.end();
+      places[i] = found != owned.end() ? found->second : places[i];
+    }
+  }
+}
+
+void vtkDistributedSurface::JoinMarks(vtkPolyData* whole) const
+{
+  vtkDataArray* joined = whole->GetPointData()->GetArray(MarksName);
+  for (std::size_t k = 0; joined && k < this->Gathered.size(); ++k)
+  {
+    vtkDataArray* marks = this->Gathered[k]->GetPointData()->GetArray(MarksName);
+    for (vtkIdType i = 0; i < this->Gathered[k]->GetNumberOfPoints(); ++i)
+    {
+      if (marks->GetComponent(i, 0) != 0.0)
+      {
+        joined->SetComponent(this->Place[k].Points[i], 0, 1.0);
+      }
+    }
+  }
+}
+
+void vtkDistributedSurface::GiveBack(
+  vtkPolyData* whole, vtkPolyData* result, vtkPolyData* piece, vtkPolyData* output)
+{
+  auto own = vtkSmartPointer<vtkPolyData>::New();
+  if (this->Controller->GetLocalProcessId() == 0)
+  {
+    for (std::size_t k = 1; k < this->Place.size(); ++k)
+    {
+      if (!this->Place[k].Points.empty())
+      {
+        this->Controller->Send(this->Reply(whole, result, k), static_cast<int>(k), REPLY);
+      }
+    }
+    own = this->Reply(whole, result, 0);
+  }
+  else if (piece->GetNumberOfPoints() > 0)
+  {
+    this->Controller->Receive(own, 0, REPLY);
+  }
+  output->ShallowCopy(piece);
+  if (piece->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  output->SetPoints(own->GetPoints());
+  for (int k = 0; k < own->GetPointData()->GetNumberOfArrays(); ++k)
+  {
+    output->GetPointData()->AddArray(own->GetPointData()->GetAbstractArray(k));
+  }
+  if (vtkDataArray* normals = own->GetPointData()->GetNormals())
+  {
+    output->GetPointData()->SetNormals(normals);
+  }
+  for (int k = 0; k < own->GetFieldData()->GetNumberOfArrays(); ++k)
+  {
+    output->GetCellData()->AddArray(own->GetFieldData()->GetAbstractArray(k));
+  }
+}
+
+vtkSmartPointer<vtkPolyData> vtkDistributedSurface::Reply(
+  vtkPolyData* whole, vtkPolyData* result, std::size_t piece) const
+{
+  const Places& places = this->Place[piece];
+  const auto reply = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(result->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(static_cast<vtkIdType>(places.Points.size()));
+  for (std::size_t i = 0; i < places.Points.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), result->GetPoint(places.Points[i]));
+  }
+  reply->SetPoints(points);
+  vtkDataArray* normals = result->GetPointData()->GetNormals();
+  for (const auto& array : PickArrays(whole->GetPointData(), result->GetPointData(), places.Points))
+  {
+    reply->GetPointData()->AddArray(array);
+    if (normals && normals == result->GetPointData()->GetAbstractArray(array->GetName()))
+    {
+      reply->GetPointData()->SetActiveNormals(array->GetName());
+    }
+  }
+  // The reply has no cells, and without them no cell arrays arrive.
+  for (const auto& array : PickArrays(whole->GetCellData(), result->GetCellData(), places.Cells))
+  {
+    reply->GetFieldData()->AddArray(array);
+  }
+  return reply;
+}

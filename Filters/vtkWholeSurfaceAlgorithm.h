@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkWholeSurfaceAlgorithm
+ * @brief   superclass of filters that need all of a surface, also where it is spread over processes
+ *
+ * With several processes (MPI) and a vtkPolyData at input port 0 of which another process than the
+ * first has a part, the parts are gathered on the first process, the filter runs there once, and
+ * each process gets its part of the result: its points, cells, order and arrays, vtkGhostType and
+ * global ids included. The result is that of one process up to rounding.
+ *
+ * Parts meet where they have points of the same global id, or, where a part has no global ids,
+ * points with the same coordinates to the last bit. Of cells marked as duplicates in vtkGhostType
+ * one takes part. With global ids of points and cells on all parts these come in their order, and
+ * the result has the bits of one process.
+ *
+ * Point sets at further ports are gathered too. In a selection, ids are those of the part of each
+ * process, as everywhere in VTK, and nodes with a PROCESS_ID are of that process. Outputs that are
+ * not the moved input (tables, spheres, proxies), and an output with other cells than the input,
+ * are on the first process, and so are the facts of an execution and its messages; numbers in
+ * them are those of the gathered surface, unless they name a process.
+ *
+ * Blocks of composite data are never gathered: each process runs over the blocks that it has, in
+ * any number. Before each execution the processes agree, with one message, whether there is
+ * something to gather; so all of them have to execute (as ParaView does), and none waits for
+ * another one in the middle of its blocks. What one process refuses is refused by all. A process
+ * that fails before, in an upstream filter, leaves the others waiting, as with all filters that
+ * communicate.
+ *
+ * @sa vtkAggregateDataSetFilter vtkRedistributeDataSetFilter vtkGenerateGlobalIds
+ */
+#ifndef vtkWholeSurfaceAlgorithm_h
+#define vtkWholeSurfaceAlgorithm_h
+
+#include "SphericalStyleFiltersModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+
+class vtkMultiProcessController;
+
+class SPHERICALSTYLEFILTERS_EXPORT vtkWholeSurfaceAlgorithm : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(vtkWholeSurfaceAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The processes that the surface is spread over. Default: the global controller at the time of
+   * construction. Set nullptr where each process works on a surface of its own.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+protected:
+  vtkWholeSurfaceAlgorithm();
+  ~vtkWholeSurfaceAlgorithm() override;
+
+  /// RequestData with the whole surface at port 0, or, on processes but the first, nothing.
+  virtual int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) = 0;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  vtkMultiProcessController* Controller = nullptr;
+
+private:
+  vtkWholeSurfaceAlgorithm(const vtkWholeSurfaceAlgorithm&) = delete;
+  void operator=(const vtkWholeSurfaceAlgorithm&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

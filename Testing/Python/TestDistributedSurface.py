@@ -1,0 +1,495 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Surfaces and blocks spread over processes come out as they do in one process.
+
+Every process runs this script; each has the whole model as well, to compare with.
+
+usage: mpirun -np N pvbatch --sym TestDistributedSurface.py DATA
+"""
+import math
+import os
+import sys
+import traceback
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints
+from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkDataSetAttributes, vtkMultiBlockDataSet,
+                                           vtkPartitionedDataSetCollection, vtkPolyData, vtkSelection,
+                                           vtkSelectionNode, vtkUnstructuredGrid)
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
+
+import sphericalstyle
+
+DATA = sys.argv[1]
+controller = vtkMultiProcessController.GetGlobalController()
+RANK, RANKS = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
+GHOSTS = vtkDataSetAttributes.GhostArrayName()
+TOLERANCE = 1e-9
+if RANKS < 2:
+    print("There is one process only: this program was not started by the mpirun of its MPI, or has none.")
+    sys.exit(77)
+
+
+# ------------------------------------------------------------------------------------------- models
+def model(name):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(os.path.join(DATA, name))
+    reader.Update()
+    return in_double(reader.GetOutput())
+
+
+def in_double(surface):
+    """A copy with points in double precision and normals: 1e-9 says something of them."""
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(surface)
+    normals.SplittingOff()
+    normals.ConsistencyOff()
+    normals.Update()
+    result = vtkPolyData()
+    result.ShallowCopy(normals.GetOutput())
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(coordinates(result).astype(float), deep=True))
+    result.SetPoints(points)
+    add(result.GetPointData(), "height", coordinates(result)[:, 1] - coordinates(result)[:, 1].min())
+    add(result.GetCellData(), "number", np.arange(result.GetNumberOfCells()))
+    return result
+
+
+def coordinates(surface):
+    points = surface.GetPoints()
+    return vtk_to_numpy(points.GetData()) if points else np.zeros((0, 3))
+
+
+def add(attributes, name, values):
+    array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+    array.SetName(name)
+    attributes.AddArray(array)
+    return array
+
+
+def triangles(surface):
+    assert surface.GetPolys().IsHomogeneous() == 3 and surface.GetNumberOfPolys() == surface.GetNumberOfCells()
+    return vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+class Piece:
+    """The cells of a model that one process has, and which points and cells of the model those are."""
+
+    def __init__(self, whole, owner, global_ids=False, ghost_levels=0):
+        """owner: the process of each cell"""
+        corners = triangles(whole)
+        has = owner == RANK
+        for _ in range(ghost_levels):
+            has |= np.isin(corners, corners[has]).any(axis=1)
+        self.cells = np.flatnonzero(has)
+        self.points = np.unique(corners[has])
+        self.data = vtkPolyData()
+        if self.cells.size == 0:
+            return
+        points = vtkPoints()
+        points.SetData(numpy_to_vtk(coordinates(whole)[self.points], deep=True))
+        self.data.SetPoints(points)
+        cells = vtkCellArray()
+        local = np.searchsorted(self.points, corners[self.cells])
+        cells.SetData(3, numpy_to_vtkIdTypeArray(np.ascontiguousarray(local).ravel(), deep=True))
+        self.data.SetPolys(cells)
+        self.copy(whole.GetPointData(), self.points, self.data.GetPointData())
+        self.copy(whole.GetCellData(), self.cells, self.data.GetCellData())
+        if global_ids:
+            for attributes, ids in ((self.data.GetPointData(), self.points),
+                                    (self.data.GetCellData(), self.cells)):
+                array = numpy_to_vtkIdTypeArray(ids.astype(np.int64), deep=True)
+                array.SetName("GlobalIds")
+                attributes.SetGlobalIds(array)
+        if ghost_levels > 0:
+            point_owner = np.full(whole.GetNumberOfPoints(), RANKS)
+            np.minimum.at(point_owner, corners.ravel(), np.repeat(owner, 3))
+            add(self.data.GetCellData(), GHOSTS, (owner[self.cells] != RANK).astype(np.uint8))
+            add(self.data.GetPointData(), GHOSTS, (point_owner[self.points] != RANK).astype(np.uint8))
+
+    @staticmethod
+    def copy(source, ids, target):
+        for k in range(source.GetNumberOfArrays()):
+            array = source.GetArray(k)
+            copy = add(target, array.GetName(), vtk_to_numpy(array)[ids])
+            if array is source.GetNormals():
+                target.SetNormals(copy)
+
+
+def in_slices(whole, processes=RANKS):
+    """The process of each cell: along x, about as many each."""
+    middles = coordinates(whole)[triangles(whole)].mean(axis=1)[:, 0]
+    rank_of = np.empty(middles.size, dtype=int)
+    rank_of[np.argsort(middles, kind="stable")] = np.arange(middles.size) * processes // middles.size
+    return rank_of
+
+
+def scattered(whole):
+    """Neighbouring cells on different processes, everywhere."""
+    return np.random.default_rng(1).integers(0, RANKS, whole.GetNumberOfCells())
+
+
+# ---------------------------------------------------------------------------------- runs, compared
+class Run:
+    """A filter's outputs and errors; alone: in this process, as if there were no other."""
+
+    def __init__(self, Filter, data, alone=False, prepare=None, **properties):
+        self.errors, self.warnings = [], []
+
+        def note(_caller, _event, text):
+            self.errors.append(text)
+
+        note.CallDataType = VTK_STRING
+        self.filter = Filter()
+        if alone:
+            self.filter.SetController(None)
+        for name, value in properties.items():
+            getattr(self.filter, "Set" + name)(value)
+        self.filter.AddObserver("ErrorEvent", note)
+        self.filter.AddObserver("WarningEvent", lambda *_: self.warnings.append(1))
+        self.filter.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+        self.filter.SetInputDataObject(0, data)
+        if prepare:
+            prepare(self.filter)
+        self.filter.Update()
+        self.output = self.filter.GetOutputDataObject(0)
+
+
+def names(attributes):
+    return [attributes.GetArrayName(k) for k in range(attributes.GetNumberOfArrays())]
+
+
+def greatest(value):
+    """Of all processes."""
+    mine, all_ = (numpy_to_vtk(np.array([float(value)]), deep=True) for _ in range(2))
+    controller.AllReduce(mine, all_, vtkCommunicator.MAX_OP)
+    return all_.GetValue(0)
+
+
+def difference(a, b):
+    return float(np.abs(a - b).max()) if a.size else 0.0
+
+
+def compare(piece, output, alone):
+    """The largest difference of the points of the output from those of a run over the whole."""
+    assert output.GetNumberOfPoints() == piece.points.size, (output.GetNumberOfPoints(), piece.points.size)
+    assert output.GetNumberOfCells() == piece.cells.size
+    if piece.points.size == 0:
+        return 0.0
+    assert (triangles(output) == triangles(piece.data)).all()
+    for mine, given, whole, ids in (
+            (output.GetPointData(), piece.data.GetPointData(), alone.GetPointData(), piece.points),
+            (output.GetCellData(), piece.data.GetCellData(), alone.GetCellData(), piece.cells)):
+        own = {"GlobalIds", GHOSTS}
+        assert set(names(mine)) - own == set(names(whole)), (names(mine), names(whole))
+        assert set(names(mine)) & own == set(names(given)) & own, names(mine)
+        for name in set(names(given)) & own:
+            assert mine.GetArray(name) is given.GetArray(name), name
+        for name in names(whole):
+            values = vtk_to_numpy(whole.GetArray(name))[ids]
+            # Rounding of the number type: normals are in single precision.
+            most = TOLERANCE * max(1.0, np.abs(values).max()) + (values.dtype == np.float32) * 2e-7
+            assert difference(vtk_to_numpy(mine.GetArray(name)), values) <= most, (
+                name, difference(vtk_to_numpy(mine.GetArray(name)), values))
+        assert (mine.GetNormals() is None) == (whole.GetNormals() is None)
+    return difference(coordinates(output), coordinates(alone)[piece.points])
+
+
+def check_spread(title, Filter, whole, owner, exact=False, global_ids=False, ghost_levels=0, **options):
+    piece = Piece(whole, owner, global_ids, ghost_levels)
+    before = vtkPolyData()
+    before.DeepCopy(piece.data)
+    run = Run(Filter, piece.data, **options)
+    alone = Run(Filter, whole, alone=True, **options)
+    assert not run.errors and not alone.errors
+    size = coordinates(whole).max() - coordinates(whole).min()
+    largest = greatest(compare(piece, run.output, alone.output) / size)
+    assert difference(coordinates(before), coordinates(piece.data)) == 0.0
+    assert names(before.GetPointData()) == names(piece.data.GetPointData())
+    moved = greatest(difference(coordinates(alone.output), coordinates(whole)) / size)
+    if RANK == 0:
+        print(f"{title}: largest difference of points {largest:.2g} of the size, largest move {moved:.2g}",
+              flush=True)
+        assert len(run.warnings) == len(alone.warnings), (run.warnings, alone.warnings)
+        check_facts(run.filter, alone.filter)
+    assert moved > 1e-3 and largest <= (0.0 if exact else TOLERANCE), largest
+    return run, alone
+
+
+def check_facts(filter_, alone):
+    """What the first process tells is what one process tells."""
+    for name in ("EffectiveCenter", "EffectiveRadius", "FinalEnergy", "NumberOfIterations"):
+        if hasattr(filter_, "Get" + name):
+            values = [np.array(getattr(f, "Get" + name)()) for f in (filter_, alone)]
+            assert np.allclose(*values, rtol=1e-7, atol=1e-9), (name, values)
+    for port in range(1, filter_.GetNumberOfOutputPorts()):
+        ours, other = (f.GetOutputDataObject(port) for f in (filter_, alone))
+        for kind in (0, 1):
+            assert ours.GetNumberOfElements(kind) == other.GetNumberOfElements(kind), (port, kind)
+
+
+Style = sphericalstyle.vtkSphericalStyleFilter
+ITERATES = {"Roundness": 1.0, "DetailSize": 0.03}
+creature = model("creature.vtp")
+small = model("go-stone.vtp")
+
+
+def check_one_surface():
+    """In pieces of every kind."""
+    first, last = np.zeros(creature.GetNumberOfCells(), int), np.full(creature.GetNumberOfCells(), RANKS - 1)
+    check_spread("slices", Style, creature, in_slices(creature))
+    check_spread("slices, details kept", Style, creature, in_slices(creature), **ITERATES)
+    check_spread("scattered cells", Style, creature, scattered(creature), **ITERATES)
+    check_spread("ghost cells", Style, creature, in_slices(creature), ghost_levels=1, **ITERATES)
+    check_spread("two layers of ghost cells, scattered", Style, small, scattered(small), ghost_levels=2)
+    check_spread("global ids", Style, creature, scattered(creature), exact=True, global_ids=True, **ITERATES)
+    check_spread("global ids and ghost cells", Style, creature, in_slices(creature), exact=True,
+                 global_ids=True, ghost_levels=1, **ITERATES)
+    check_spread("some processes empty", Style, creature, in_slices(creature, 2) * (RANKS - 1))
+    check_spread("all on the last process", Style, creature, last, exact=True)
+    check_spread("all on the first process", Style, creature, first, exact=True)
+    check_spread("all kinds of arrays", Style, small, in_slices(small), ghost_levels=1, NormalBlend=0.3,
+                 GenerateCellEnergy=True, GenerateRotation=True, GenerateNormals=True)
+    # Its energy is flat between two axes, and rounding grows there; with ids there is none.
+    check_spread("another filter: cubic", sphericalstyle.vtkCubicStyleFilter, small, in_slices(small),
+                 exact=True, global_ids=True)
+    check_spread("another filter: analogy", sphericalstyle.vtkNormalAnalogyFilter, small, in_slices(small))
+    check_spread("another filter: projection", sphericalstyle.vtkSphereProjectionFilter, small, in_slices(small))
+    if hasattr(sphericalstyle, "vtkConvexProxyDeformFilter"):
+        check_spread("another filter: proxy", sphericalstyle.vtkConvexProxyDeformFilter, creature,
+                     in_slices(creature), Blend=0.3)
+
+
+def check_seams():
+    """Where a model is cut open, coincident points stay what they are: kept apart, or welded."""
+    points, corners = coordinates(creature), triangles(creature).copy()
+    upper = points[corners].mean(axis=1)[:, 1] > points[:, 1].mean()
+    shared = np.intersect1d(corners[upper], corners[~upper])
+    new = np.arange(len(points))
+    new[shared] = len(points) + np.arange(shared.size)
+    corners[upper] = new[corners[upper]]
+    both = vtkPoints()
+    both.SetData(numpy_to_vtk(np.vstack([points, points[shared]]), deep=True))
+    cells = vtkCellArray()
+    cells.SetData(3, numpy_to_vtkIdTypeArray(corners.astype(np.int64).ravel(), deep=True))
+    seamed = vtkPolyData()
+    seamed.SetPoints(both)
+    seamed.SetPolys(cells)
+    for weld in (True, False):  # which copy of a point is which only ids can tell
+        _, alone = check_spread(f"a seam, welded: {weld}", Style, seamed, in_slices(seamed), exact=not weld,
+                                global_ids=not weld, WeldCoincidentPoints=weld, SphericalWeighting=Style.UNIFORM)
+        moved = coordinates(alone.output)
+        opened = difference(moved[shared], moved[len(points):])
+        assert (opened == 0.0) == weld, opened
+
+
+def check_region():
+    """A mask, and selections of ids of the piece, of cells, and of one process alone."""
+    def mask(filter_):
+        filter_.SetInputArrayToProcess(4, 0, 0, 0, "upper")
+    upper = coordinates(creature)[:, 1] > coordinates(creature)[:, 1].mean()
+    marked = vtkPolyData()
+    marked.ShallowCopy(creature)
+    add(marked.GetPointData(), "upper", upper.astype(np.uint8))
+    owner = in_slices(marked)
+    run, alone = check_spread("a mask", Style, marked, owner, ghost_levels=1, prepare=mask)
+
+    def selection(field, ids, process=None):
+        node = vtkSelectionNode()
+        node.SetFieldType(field)
+        node.SetContentType(vtkSelectionNode.INDICES)
+        node.SetSelectionList(numpy_to_vtkIdTypeArray(np.ascontiguousarray(ids, dtype=np.int64), deep=True))
+        if process is not None:
+            node.GetProperties().Set(vtkSelectionNode.PROCESS_ID(), process)
+        return node
+
+    cells = upper[triangles(marked)].all(axis=1)
+    of_first = Piece(marked, np.where(owner == 0, RANK, -1))  # what the first process has
+    for title, field, which, of in (("points", vtkSelectionNode.POINT, upper, "points"),
+                                    ("cells", vtkSelectionNode.CELL, cells, "cells")):
+        mine = np.flatnonzero(which[getattr(Piece(marked, owner), of)])
+        whole = vtkSelection()
+        whole.AddNode(selection(field, np.flatnonzero(which)))
+        own = vtkSelection()
+        own.AddNode(selection(field, mine))
+        alone = Run(Style, marked, alone=True, prepare=lambda f: f.SetSelectionData(whole))
+        piece = Piece(marked, owner)
+        run = Run(Style, piece.data, prepare=lambda f: f.SetSelectionData(own))
+        largest = greatest(compare(piece, run.output, alone.output))
+        assert not run.errors and largest <= TOLERANCE, (title, largest)
+        assert greatest(difference(coordinates(alone.output), coordinates(marked))) > 1e-3
+
+        # As ParaView has them: nodes of all processes, in each process.
+        first = np.flatnonzero(which[getattr(of_first, of)])
+        every = vtkSelection()
+        every.AddNode(selection(field, first, process=0))
+        only_first = vtkSelection()
+        only_first.AddNode(selection(field, getattr(of_first, of)[first]))
+        alone = Run(Style, marked, alone=True, prepare=lambda f: f.SetSelectionData(only_first))
+        run = Run(Style, piece.data, prepare=lambda f: f.SetSelectionData(every))
+        largest = greatest(compare(piece, run.output, alone.output))
+        assert not run.errors and largest <= TOLERANCE, (title, "of one process", largest)
+
+
+def check_further_ports():
+    """Centers on other processes, in the order of the processes; a style mesh in slices."""
+    parts = vtkPolyData()
+    parts.ShallowCopy(creature)
+    places = coordinates(creature)
+    add(parts.GetPointData(), "part", (places[:, 1] > places[:, 1].mean()).astype(np.int32))
+    given = np.array([[0.0, 0.4, 0.0], [0.0, 0.8, 0.0]])
+
+    def with_centers(mine):
+        centers = vtkPolyData()
+        centers.SetPoints(vtkPoints())
+        for k in mine:
+            centers.GetPoints().InsertNextPoint(given[k])
+
+        def prepare(filter_):
+            filter_.SetInputArrayToProcess(5, 0, 0, 0, "part")
+            filter_.SetCentersData(centers)
+        return prepare
+
+    piece = Piece(parts, in_slices(parts))
+    alone = Run(Style, parts, alone=True, prepare=with_centers([0, 1]))
+    mine = [0] if RANK == 0 else [1] if RANK == RANKS - 1 else []
+    run = Run(Style, piece.data, prepare=with_centers(mine))
+    assert not run.errors + alone.errors, run.errors
+    assert greatest(compare(piece, run.output, alone.output)) <= TOLERANCE
+
+    analogy = sphericalstyle.vtkNormalAnalogyFilter
+    # With ids, since between two normals that are equally near rounding decides.
+    piece = Piece(creature, in_slices(creature), global_ids=True)
+    shape = Piece(small, in_slices(small), global_ids=True).data
+    alone = Run(analogy, creature, alone=True, Style=analogy.MESH, prepare=lambda f: f.SetInputData(1, small))
+    run = Run(analogy, piece.data, Style=analogy.MESH, prepare=lambda f: f.SetInputData(1, shape))
+    assert not run.errors + alone.errors, run.errors
+    assert greatest(difference(coordinates(run.output), coordinates(alone.output)[piece.points])) == 0.0
+
+
+def check_other_cells():
+    """A surface with new cells is on the first process, whole."""
+    piece = Piece(small, in_slices(small)).data
+    run, alone = (Run(Style, data, alone=data is small, RefineLongEdges=True) for data in (piece, small))
+    for count in ("GetNumberOfPoints", "GetNumberOfCells"):
+        expected = getattr(alone.output, count)() if RANK == 0 else 0
+        assert not run.errors and getattr(run.output, count)() == expected, (count, expected)
+    assert alone.output.GetNumberOfPoints() > small.GetNumberOfPoints()
+
+
+# ------------------------------------------------------------------------------------------- blocks
+def check_blocks():
+    """Each block where it is: no block is gathered, any number of them, and no process waits."""
+    names_of = ["creature.vtp", "go-stone.vtp", "snowman.vtp", "bottle.vtp", "cube.vtp", "icosahedron.vtp"]
+    surfaces = [model(name) for name in names_of]
+    alone = [Run(Style, surface, alone=True).output for surface in surfaces]
+    largest = 0.0
+    for title, process_of in (
+            ("spread", [k % RANKS for k in range(6)]),
+            ("unevenly", [0, 0, 0, RANKS - 1, 0, 0]),
+            ("fewer than processes", [1 % RANKS, RANKS - 1, None, None, None, None]),
+            ("all on one", [RANKS - 1] * 6)):
+        blocks = vtkMultiBlockDataSet()
+        collection = vtkPartitionedDataSetCollection()
+        for k, process in enumerate(process_of):
+            blocks.SetBlock(k, surfaces[k] if process == RANK else None)
+            if process == RANK:
+                collection.SetPartition(k, 0, surfaces[k])
+            else:
+                collection.SetNumberOfPartitions(k, 0)
+        for data in (blocks, collection):
+            run = Run(Style, data)
+            assert not run.errors
+            for k, process in enumerate(process_of):
+                block = (run.output.GetBlock(k) if data is blocks else
+                         run.output.GetPartition(k, 0) if run.output.GetNumberOfPartitions(k) else None)
+                assert (block is not None) == (process == RANK), (title, k)
+                if block:
+                    largest = max(largest, difference(coordinates(block), coordinates(alone[k])))
+    largest = greatest(largest)
+    if RANK == 0:
+        print(f"blocks: largest difference of points {largest:.2g}", flush=True)
+    assert largest == 0.0
+
+    # A bad block is an error of the process that has it; the other blocks come out, there and elsewhere.
+    bad = vtkPolyData()
+    bad.DeepCopy(surfaces[1])
+    bad.GetPoints().SetPoint(0, math.inf, 0.0, 0.0)
+    blocks = vtkMultiBlockDataSet()
+    for k in range(2 * RANKS):
+        blocks.SetBlock(k, None if k // 2 != RANK else bad if k == 0 else surfaces[1])
+    run = Run(Style, blocks)
+    assert len(run.errors) == (RANK == 0), run.errors
+    assert coordinates(run.output.GetBlock(2 * RANK + 1)).tobytes() == coordinates(alone[1]).tobytes()
+    # Not of the same kind everywhere: nothing is gathered, and nobody waits.
+    run = Run(Style, run.output if RANK == 0 else surfaces[1])
+    assert not run.errors and (RANK == 0 or coordinates(run.output).tobytes() == coordinates(alone[1]).tobytes())
+    # Blocks at another port than the first make a filter run over them, too.
+    analogy = sphericalstyle.vtkNormalAnalogyFilter
+    shapes = vtkMultiBlockDataSet()
+    for k in range(RANK):
+        shapes.SetBlock(k, surfaces[1])
+    run = Run(analogy, Piece(small, in_slices(small)).data, Style=analogy.MESH,
+              prepare=lambda f: f.SetInputDataObject(1, shapes))
+    assert not run.errors and run.output.GetClassName() == "vtkMultiBlockDataSet"
+
+
+# ------------------------------------------------------------------------------------------- faults
+def check_fault(title, data, words, told_by, **options):
+    """All processes fail, those that know why say it, and the next run is good."""
+    run = Run(Style, data, **options)
+    assert run.output.GetNumberOfPoints() == 0, title
+    assert (len(run.errors) == 1) == (RANK in told_by), (title, RANK, run.errors)
+    assert all(words in error for error in run.errors), (title, run.errors)
+    good = Piece(small, in_slices(small))
+    run.filter.SetRoundness(0.5)
+    run.filter.SetInputArrayToProcess(1, 0, 0, 0, "")
+    run.filter.SetInputDataObject(0, good.data)
+    run.filter.Update()
+    assert run.filter.GetOutput().GetNumberOfPoints() == good.points.size, title
+
+
+def check_faults():
+    last = RANKS - 1
+    piece = Piece(small, in_slices(small)).data
+    broken = vtkPolyData()
+    broken.DeepCopy(piece)
+    if RANK == last:
+        broken.GetPoints().SetPoint(3, math.nan, 0.0, 0.0)
+    check_fault("not finite", broken, f"process {last}: Points: point 3 is not finite", [last])
+    short = vtkPolyData()
+    short.ShallowCopy(piece)
+    if RANK == last:
+        add(short.GetPointData(), "short", np.zeros(2))
+    check_fault("short array", short, f'process {last}: Input: array "short" has 2 tuples', [last])
+    wild = vtkPolyData()
+    wild.DeepCopy(piece)
+    if RANK == last:
+        wild.GetPolys().GetConnectivityArray().SetValue(5, 10**6)
+    check_fault("point id out of range", wild, f"process {last}: ", [last])
+    check_fault("no surface", vtkUnstructuredGrid() if RANK == last else piece, "Extract Surface", [last])
+    check_fault("bad property", piece, "Roundness must be", [0], Roundness=-1.0)
+    check_fault("no such array", piece, "nowhere", [0],
+                prepare=lambda f: f.SetInputArrayToProcess(1, 0, 0, 0, "nowhere"))
+    empty = Run(Style, vtkPolyData())
+    assert not empty.errors and empty.output.GetNumberOfPoints() == 0
+    # Each process its own model, in its own time.
+    for _ in range(RANK):
+        own = Run(Style, small, alone=True)
+        assert not own.errors and own.output.GetNumberOfPoints() == small.GetNumberOfPoints()
+
+
+try:
+    for check in (check_one_surface, check_seams, check_region, check_further_ports, check_other_cells,
+                  check_blocks, check_faults):
+        check()
+        controller.Barrier()
+        if RANK == 0:
+            print(f"{check.__name__}: passed on {RANKS} processes", flush=True)
+except BaseException:
+    traceback.print_exc()
+    sys.stderr.flush()
+    os._exit(1)  # without a farewell, so that mpirun ends the others that may wait
