@@ -95,6 +95,7 @@ def rounded(surface, **properties):
     """The executed vtkSphericalStyleFilter; port 0 has the surface, port 1 the energies.
     properties: by their names, such as Roundness=0.5."""
     style = vtkSphericalStyleFilter()
+    style.SetController(None)  # the surface is this process' own, also with MPI
     messages = Messages(style)
     style.SetInputData(surface)
     for name, value in properties.items():

@@ -5,7 +5,8 @@
     python3 round_folder.py MODELS OUTPUT [--roundness 0.5] [--detail-size 0] [--normal-blend 0]
                                           [--processes N] [--recursive]
 
-Also for pvpython. bunny.ply becomes OUTPUT/bunny.ply.vtp, so that bunny.stl has a name of its own; with
+Also for pvpython; and for mpirun -np N pvbatch --sym, on several machines: each process of MPI takes its share of
+the models, and the first prints the table. bunny.ply becomes OUTPUT/bunny.ply.vtp, so that bunny.stl has a name of its own; with
 --recursive the folders below MODELS come again below OUTPUT. OUTPUT/summary.csv has a line for each
 model. A model that cannot be read or rounded does not stop the others: the exit code is then 1.
 """
@@ -21,19 +22,20 @@ import time
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from model_files import READERS, ModelError, read, rounded, write
+from mpi_processes import Processes
 
 COLUMNS = ["model", "points", "iterations", "energy", "seconds", "result"]
 
 
-def parse():
+def parse(default_processes):
     parser = argparse.ArgumentParser(description="Round all models of a folder.")
     parser.add_argument("models", type=pathlib.Path)
     parser.add_argument("output", type=pathlib.Path)
     parser.add_argument("--roundness", type=float, default=0.5)
     parser.add_argument("--detail-size", type=float, default=0.0)
     parser.add_argument("--normal-blend", type=float, default=0.0)
-    parser.add_argument("--processes", type=int, default=len(os.sched_getaffinity(0)),
-                        help="how many models at a time (default: as many as processors)")
+    parser.add_argument("--processes", type=int, default=default_processes,
+                        help="how many models at a time (default: as many as processors; with MPI 1 for each process)")
     parser.add_argument("--recursive", action="store_true", help="folders below MODELS too")
     arguments = parser.parse_args()
     if not arguments.models.is_dir():
@@ -108,6 +110,12 @@ def round_all(models, arguments):
             yield model, {"model": model.as_posix()} | line
 
 
+def share_of(models, folder, mpi):
+    """The models for this process of MPI: like the others', about as many large ones as small ones."""
+    by_size = sorted(models, key=lambda model: (folder / model).stat().st_size, reverse=True)
+    return by_size[mpi.rank::mpi.count]
+
+
 def print_table(lines):
     rows = [COLUMNS] + [[str(line.get(column, "")) for column in COLUMNS] for line in lines]
     widths = [max(len(row[k]) for row in rows) for k in range(len(COLUMNS) - 1)]
@@ -117,19 +125,24 @@ def print_table(lines):
 
 
 def main():
-    arguments = parse()
-    models = find_models(arguments.models, arguments.output, arguments.recursive)
-    if not models:
+    mpi = Processes()
+    arguments = parse(len(os.sched_getaffinity(0)) if mpi.count == 1 else 1)
+    found = find_models(arguments.models, arguments.output, arguments.recursive)
+    if not found:
         sys.exit(f"{arguments.models}: no models ({' '.join(sorted(READERS))})")
+    models = share_of(found, arguments.models, mpi) if mpi.count > 1 else found
     arguments.output.mkdir(parents=True, exist_ok=True)
     # The processes share the processors.
-    threads = max(1, len(os.sched_getaffinity(0)) // min(arguments.processes, len(models)))
+    threads = max(1, len(os.sched_getaffinity(0)) // (mpi.count * min(arguments.processes, max(1, len(models)))))
     os.environ.setdefault("VTK_SMP_MAX_THREADS", str(threads))
 
     lines = []
     for model, line in round_all(models, arguments):
         lines.append(line)
-        print(f"[{len(lines)}/{len(models)}] {model.as_posix()}: {line['result']}", flush=True)
+        print(f"{mpi.name}[{len(lines)}/{len(models)}] {model.as_posix()}: {line['result']}", flush=True)
+    lines = mpi.gather(lines)
+    if mpi.rank > 0:
+        return 0
     lines.sort(key=lambda line: line["model"])
 
     print()
@@ -144,4 +157,7 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    # A process of MPI that ends well has to go back to pvbatch, which says farewell to the others.
+    code = main()
+    if code:
+        sys.exit(code)
