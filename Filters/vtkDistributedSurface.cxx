@@ -40,24 +40,24 @@ std::array<vtkCellArray*, NumberOfKinds> Kinds(vtkPolyData* surface)
   return { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() };
 }
 
+/// Points of a cell; valid until the next one is asked for.
 struct CellOfPiece
 {
   int Kind;
-  std::vector<vtkIdType> Corners;
+  vtkIdType Size;
+  const vtkIdType* Corners;
 };
 
 CellOfPiece FindCell(vtkPolyData* piece, vtkIdType id)
 {
   const auto kinds = Kinds(piece);
-  int kind = 0;
-  while (id >= kinds[kind]->GetNumberOfCells())
+  CellOfPiece cell = { 0, 0, nullptr };
+  while (id >= kinds[cell.Kind]->GetNumberOfCells())
   {
-    id -= kinds[kind++]->GetNumberOfCells();
+    id -= kinds[cell.Kind++]->GetNumberOfCells();
   }
-  vtkIdType size = 0;
-  const vtkIdType* corners = nullptr;
-  kinds[kind]->GetCellAtId(id, size, corners);
-  return { kind, std::vector<vtkIdType>(corners, corners + size) };
+  kinds[cell.Kind]->GetCellAtId(id, cell.Size, cell.Corners);
+  return cell;
 }
 
 /// Marks of points or cells that another piece owns; nullptr without.
@@ -117,6 +117,67 @@ vtkDataSetAttributes* PointData(vtkPolyData* surface)
 vtkDataSetAttributes* CellData(vtkPolyData* surface)
 {
   return surface->GetCellData();
+}
+
+/// A point of a piece, which others may have, too.
+struct PointOfPiece
+{
+  Key Where;
+  int Piece;
+  vtkIdType Id;
+  bool Ghost;
+};
+
+/// The points of all pieces, by key and then by piece. @param byIds  whether keys are global ids
+std::vector<PointOfPiece> SortedPoints(
+  const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, bool& byIds)
+{
+  const std::vector<vtkDataArray*> ids = GlobalIds(pieces, PointData);
+  byIds = !ids.empty();
+  std::vector<PointOfPiece> points;
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+  {
+    vtkPolyData* piece = pieces[k];
+    vtkUnsignedCharArray* ghosts = Ghosts(piece->GetPointData());
+    for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+    {
+      points.push_back({ byIds ? Key{ GlobalId(ids[k], i), 0, 0 } : KeyOfPlace(piece->GetPoint(i)),
+        static_cast<int>(k), i, IsDuplicate(ghosts, i, vtkDataSetAttributes::DUPLICATEPOINT) });
+    }
+  }
+  std::sort(points.begin(), points.end(),
+    [](const PointOfPiece& a, const PointOfPiece& b)
+    { return std::tie(a.Where, a.Piece, a.Id) < std::tie(b.Where, b.Piece, b.Id); });
+  return points;
+}
+
+/// Which points are one: those of one key, and of those of one piece the first with the first, the
+/// second with the second.
+/// @param owners  the point that each of the joined ones is taken from: no ghost, if there is one
+/// @return the joined point of each point
+std::vector<std::size_t> JoinCopies(
+  const std::vector<PointOfPiece>& points, std::vector<std::size_t>& owners)
+{
+  std::vector<std::size_t> joined(points.size());
+  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+  {
+    const std::size_t first = owners.size();
+    std::size_t turn = 0; // among those of this piece
+    for (; end < points.size() && points[end].Where == points[begin].Where; ++end)
+    {
+      turn = end > begin && points[end].Piece == points[end - 1].Piece ? turn + 1 : 0;
+      joined[end] = first + turn;
+      if (joined[end] == owners.size())
+      {
+        owners.push_back(end);
+      }
+      else if (points[owners[joined[end]]].Ghost && !points[end].Ghost)
+      {
+        owners[joined[end]] = end;
+      }
+    }
+  }
+  return joined;
 }
 
 /// The tuples of the origins, in their order, of the arrays that all pieces have.
@@ -254,11 +315,11 @@ void vtkDistributedSurface::CopyPoints(const std::vector<Origin>& origins, vtkPo
 void vtkDistributedSurface::CopyCells(const std::vector<Origin>& origins, vtkPolyData* whole) const
 {
   std::array<vtkNew<vtkCellArray>, NumberOfKinds> cells;
-  for (const auto [piece, id] : origins)
+  std::vector<vtkIdType> corners;
+  for (const Origin& origin : origins)
   {
-    const CellOfPiece cell = FindCell(this->Gathered[piece], id);
-    const std::vector<vtkIdType> corners = this->Corners(piece, cell.Corners);
-    cells[cell.Kind]->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+    const int kind = this->FindCorners(origin, corners);
+    cells[kind]->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
   }
   whole->SetVerts(cells[0]);
   whole->SetLines(cells[1]);
@@ -266,85 +327,44 @@ void vtkDistributedSurface::CopyCells(const std::vector<Origin>& origins, vtkPol
   whole->SetStrips(cells[3]);
 }
 
-std::vector<vtkIdType> vtkDistributedSurface::Corners(
-  std::size_t piece, const std::vector<vtkIdType>& corners) const
+int vtkDistributedSurface::FindCorners(const Origin& origin, std::vector<vtkIdType>& corners) const
 {
-  std::vector<vtkIdType> result(corners.size());
-  std::transform(corners.begin(), corners.end(), result.begin(),
-    [&places = this->Place[piece].Points](vtkIdType point) { return places[point]; });
-  return result;
+  const CellOfPiece cell = FindCell(this->Gathered[origin.Piece], origin.Id);
+  const std::vector<vtkIdType>& places = this->Place[origin.Piece].Points;
+  corners.resize(cell.Size);
+  std::transform(cell.Corners, cell.Corners + cell.Size, corners.begin(),
+    [&places](vtkIdType point) { return places[point]; });
+  return cell.Kind;
 }
 
 std::vector<vtkDistributedSurface::Origin> vtkDistributedSurface::PlacePoints()
 {
-  const auto& pieces = this->Gathered;
-  struct Copy
-  {
-    Key Where;
-    int Piece;
-    vtkIdType Id;
-    bool Ghost;
-  };
-  const std::vector<vtkDataArray*> globalIds = GlobalIds(pieces, PointData);
-  std::vector<Copy> copies;
-  for (std::size_t k = 0; k < pieces.size(); ++k)
-  {
-    vtkPolyData* piece = pieces[k];
-    vtkUnsignedCharArray* ghosts = Ghosts(piece->GetPointData());
-    const vtkIdType n = piece->GetNumberOfPoints();
-    for (vtkIdType i = 0; i < n; ++i)
-    {
-      copies.push_back({ globalIds.empty() ? KeyOfPlace(piece->GetPoint(i))
-                                           : Key{ GlobalId(globalIds[k], i), 0, 0 },
-        static_cast<int>(k), i, IsDuplicate(ghosts, i, vtkDataSetAttributes::DUPLICATEPOINT) });
-    }
-  }
-  std::sort(copies.begin(), copies.end(),
-    [](const Copy& a, const Copy& b)
-    { return std::tie(a.Where, a.Piece, a.Id) < std::tie(b.Where, b.Piece, b.Id); });
+  bool byIds = false;
+  const std::vector<PointOfPiece> copies = SortedPoints(this->Gathered, byIds);
+  std::vector<std::size_t> owners; // the copy that each point of the whole is taken from
+  const std::vector<std::size_t> pointOf = JoinCopies(copies, owners);
 
-  // The points of the whole: copies at one place, of which no two are of one piece.
-  std::vector<Copy> owners;
-  std::vector<vtkIdType> ownerOf(copies.size());
-  for (std::size_t begin = 0, end = 0; begin < copies.size(); begin = end)
+  // With ids they are in order now. Without, they come in the order of the pieces.
+  std::vector<std::size_t> order(owners.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  if (!byIds)
   {
-    const auto first = owners.size();
-    std::size_t turn = 0; // among the points of this piece at this place
-    for (; end < copies.size() && copies[end].Where == copies[begin].Where; ++end)
-    {
-      turn = end > begin && copies[end].Piece == copies[end - 1].Piece ? turn + 1 : 0;
-      Copy& copy = copies[end];
-      if (first + turn == owners.size())
-      {
-        owners.push_back(copy);
-      }
-      else if (owners[first + turn].Ghost && !copy.Ghost)
-      {
-        owners[first + turn] = copy;
-      }
-      ownerOf[end] = static_cast<vtkIdType>(first + turn);
-    }
-  }
-
-  std::vector<vtkIdType> order(owners.size());
-  std::iota(order.begin(), order.end(), 0);
-  if (globalIds.empty())
-  {
+    const auto place = [&](std::size_t point)
+    { return std::tie(copies[owners[point]].Piece, copies[owners[point]].Id); };
     std::sort(order.begin(), order.end(),
-      [&owners](vtkIdType a, vtkIdType b) {
-        return std::tie(owners[a].Piece, owners[a].Id) < std::tie(owners[b].Piece, owners[b].Id);
-      });
+      [&place](std::size_t a, std::size_t b) { return place(a) < place(b); });
   }
   std::vector<vtkIdType> rank(owners.size());
   std::vector<Origin> origins;
-  for (const vtkIdType owner : order)
+  origins.reserve(owners.size());
+  for (const std::size_t point : order)
   {
-    rank[owner] = static_cast<vtkIdType>(origins.size());
-    origins.push_back({ owners[owner].Piece, owners[owner].Id });
+    rank[point] = static_cast<vtkIdType>(origins.size());
+    origins.push_back({ copies[owners[point]].Piece, copies[owners[point]].Id });
   }
   for (std::size_t i = 0; i < copies.size(); ++i)
   {
-    this->Place[copies[i].Piece].Points[copies[i].Id] = rank[ownerOf[i]];
+    this->Place[copies[i].Piece].Points[copies[i].Id] = rank[pointOf[i]];
   }
   return origins;
 }
@@ -408,8 +428,8 @@ void vtkDistributedSurface::PlaceGhostCells(
   }
   const auto sortedCorners = [this](const Origin& cell)
   {
-    std::vector<vtkIdType> corners =
-      this->Corners(cell.Piece, FindCell(this->Gathered[cell.Piece], cell.Id).Corners);
+    std::vector<vtkIdType> corners;
+    this->FindCorners(cell, corners);
     std::sort(corners.begin(), corners.end());
     return corners;
   };

@@ -69,8 +69,8 @@ private:
   void CopyPoints(const std::vector<Origin>& origins, vtkPolyData* whole) const;
   void CopyCells(const std::vector<Origin>& origins, vtkPolyData* whole) const;
   void JoinMarks(vtkPolyData* whole) const;
-  /// Points of the whole in place of those of a piece.
-  std::vector<vtkIdType> Corners(std::size_t piece, const std::vector<vtkIdType>& corners) const;
+  /// The corners of a cell by points of the whole. @return its kind: vertex, line, polygon, strip
+  int FindCorners(const Origin& origin, std::vector<vtkIdType>& corners) const;
   vtkSmartPointer<vtkPolyData> Reply(
     vtkPolyData* whole, vtkPolyData* result, std::size_t piece) const;
 

@@ -112,6 +112,12 @@ vtkSmartPointer<vtkSelection> TakeMarks(vtkPolyData* whole)
   return selection;
 }
 
+bool SameSize(vtkPolyData* a, vtkPolyData* b)
+{
+  return a->GetNumberOfPoints() == b->GetNumberOfPoints() &&
+    a->GetNumberOfCells() == b->GetNumberOfCells();
+}
+
 /// Input vectors with other data in them.
 class Inputs
 {
@@ -163,6 +169,9 @@ struct vtkWholeSurfaceAlgorithm::Internals
   /// Prepare on all processes. @return whether none has failed
   bool PrepareAll(
     vtkWholeSurfaceAlgorithm* self, vtkInformationVector** inputs, Parts& parts) const;
+  /// Puts the wholes, and the marks as a selection, in the place of the parts. @return the model
+  vtkSmartPointer<vtkPolyData> Assemble(
+    const Parts& parts, std::vector<vtkDistributedSurface>& surfaces, Inputs& inputs) const;
 };
 
 void vtkWholeSurfaceAlgorithm::Internals::NoteDepth(
@@ -270,6 +279,27 @@ bool vtkWholeSurfaceAlgorithm::Internals::PrepareAll(
   return all != 0;
 }
 
+vtkSmartPointer<vtkPolyData> vtkWholeSurfaceAlgorithm::Internals::Assemble(
+  const Parts& parts, std::vector<vtkDistributedSurface>& surfaces, Inputs& inputs) const
+{
+  vtkSmartPointer<vtkPolyData> model;
+  for (std::size_t p = 0; p < surfaces.size(); ++p)
+  {
+    const int port = static_cast<int>(p);
+    if (parts.Surfaces[p])
+    {
+      const vtkSmartPointer<vtkPolyData> whole = surfaces[p].Assemble();
+      inputs.Set(port, whole);
+      model = p == 0 ? whole : model;
+    }
+    else if (this->Contents[p] == SELECTION)
+    {
+      inputs.Set(port, TakeMarks(model));
+    }
+  }
+  return model;
+}
+
 //------------------------------------------------------------------------------------------------
 vtkWholeSurfaceAlgorithm::vtkWholeSurfaceAlgorithm()
   : Internal(std::make_unique<Internals>())
@@ -310,31 +340,15 @@ int vtkWholeSurfaceAlgorithm::RequestData(
     }
   }
 
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkSmartPointer<vtkPolyData> whole;
   int outcome = FAILED;
   try
   {
     Inputs inputs(inputVector, this->GetNumberOfInputPorts());
-    for (int p = 0; p < this->GetNumberOfInputPorts(); ++p)
-    {
-      if (parts.Surfaces[p])
-      {
-        const vtkSmartPointer<vtkPolyData> gathered = surfaces[p].Assemble();
-        inputs.Set(p, gathered);
-        whole = p == 0 ? gathered : whole;
-      }
-      else if (this->Internal->Contents[p] == SELECTION)
-      {
-        inputs.Set(p, TakeMarks(whole));
-      }
-    }
+    whole = this->Internal->Assemble(parts, surfaces, inputs);
     if (this->RequestWholeData(request, inputs.Get(), outputVector))
     {
-      outcome = output->GetNumberOfPoints() == whole->GetNumberOfPoints() &&
-          output->GetNumberOfCells() == whole->GetNumberOfCells()
-        ? GIVE_BACK
-        : STAYS;
+      outcome = SameSize(vtkPolyData::GetData(outputVector, 0), whole) ? GIVE_BACK : STAYS;
     }
   }
   catch (const std::exception& error)
@@ -345,6 +359,7 @@ int vtkWholeSurfaceAlgorithm::RequestData(
   if (outcome == GIVE_BACK)
   {
     parts.Surfaces[0]->GetPointData()->RemoveArray(vtkDistributedSurface::MarksName);
+    vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
     vtkNew<vtkPolyData> result;
     result->ShallowCopy(output);
     surfaces[0].GiveBack(whole, result, parts.Surfaces[0], output);
