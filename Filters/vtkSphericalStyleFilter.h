@@ -10,7 +10,7 @@
  * Input port 0: vtkPolyData. Triangles, quads, polygons and strips take part in the solve
  * (triangulated inside, cells unchanged on output); lines, vertices and points of no face are
  * carried along unmoved. Open borders, several components, non-manifold edges and coincident points
- * are allowed.
+ * are allowed. It may be spread over processes (vtkWholeSurfaceAlgorithm).
  *
  * Input port 1, optional: vtkPointSet, centers of your own for array 5, one point per id: in the
  * order of the ids, or, when it has a point array of that array's name, the point with that id.

@@ -44,6 +44,8 @@ configure_file("${debian}/shlibs.in" "${CMAKE_BINARY_DIR}/shlibs" @ONLY)
 set(CPACK_DEBIAN_RUN_PACKAGE_CONTROL_EXTRA
   "${debian}/postinst;${debian}/prerm;${debian}/triggers;${CMAKE_BINARY_DIR}/shlibs")
 
+set(CPACK_DEBIAN_RUN_PACKAGE_SUGGESTS openmpi-bin) # mpirun, for several processes
+
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME sphericalstyle-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_DESCRIPTION
