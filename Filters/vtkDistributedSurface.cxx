@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDistributedSurface.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -21,6 +23,8 @@
 #include <cstring>
 #include <map>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -178,6 +182,36 @@ std::vector<std::size_t> JoinCopies(
     }
   }
   return joined;
+}
+
+/// Ids that each piece has made for itself would sew together what is apart.
+/// @throw std::invalid_argument naming the first id that stands for points at different places
+void CheckPlaces(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces,
+  const std::vector<PointOfPiece>& points, const std::vector<std::size_t>& owners,
+  const std::vector<std::size_t>& joined)
+{
+  vtkBoundingBox box;
+  for (const auto& piece : pieces)
+  {
+    box.AddBounds(piece->GetBounds());
+  }
+  constexpr double SamePlace = 1e-4; // of the diagonal: each process may have rounded for itself
+  const double most = SamePlace * box.GetDiagonalLength();
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const PointOfPiece& other = points[owners[joined[i]]];
+    double a[3];
+    double b[3];
+    pieces[points[i].Piece]->GetPoint(points[i].Id, a);
+    pieces[other.Piece]->GetPoint(other.Id, b);
+    if (vtkMath::Distance2BetweenPoints(a, b) > most * most)
+    {
+      throw std::invalid_argument("global id " + std::to_string(points[i].Where[0]) +
+        " is at different places on processes " + std::to_string(other.Piece) + " and " +
+        std::to_string(points[i].Piece) +
+        "; make new ids with Generate Global Ids, or remove them");
+    }
+  }
 }
 
 /// The tuples of the origins, in their order, of the arrays that all pieces have.
@@ -343,6 +377,11 @@ std::vector<vtkDistributedSurface::Origin> vtkDistributedSurface::PlacePoints()
   const std::vector<PointOfPiece> copies = SortedPoints(this->Gathered, byIds);
   std::vector<std::size_t> owners; // the copy that each point of the whole is taken from
   const std::vector<std::size_t> pointOf = JoinCopies(copies, owners);
+
+  if (byIds)
+  {
+    CheckPlaces(this->Gathered, copies, owners, pointOf);
+  }
 
   // With ids they are in order now. Without, they come in the order of the pieces.
   std::vector<std::size_t> order(owners.size());

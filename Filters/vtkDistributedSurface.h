@@ -38,6 +38,7 @@ public:
 
   /// After Gather: on the first process the whole, with the arrays that all pieces have and without
   /// vtkGhostType; elsewhere an empty surface.
+  /// @throw std::invalid_argument naming a global id that stands for different places
   vtkSmartPointer<vtkPolyData> Assemble();
 
   /// Makes the output the piece, with the result's points and with the arrays that the result has

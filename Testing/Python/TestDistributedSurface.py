@@ -471,6 +471,12 @@ def check_faults():
         wild.GetPolys().GetConnectivityArray().SetValue(5, 10**6)
     check_fault("point id out of range", wild, f"process {last}: ", [last])
     check_fault("no surface", vtkUnstructuredGrid() if RANK == last else piece, "Extract Surface", [last])
+    own_ids = vtkPolyData()
+    own_ids.ShallowCopy(piece)
+    ids = numpy_to_vtkIdTypeArray(np.arange(piece.GetNumberOfPoints(), dtype=np.int64), deep=True)
+    ids.SetName("GlobalIds")
+    own_ids.GetPointData().SetGlobalIds(ids)
+    check_fault("ids of each process' own", own_ids, "global id 0 is at different places on processes 0 and 1", [0])
     check_fault("bad property", piece, "Roundness must be", [0], Roundness=-1.0)
     check_fault("no such array", piece, "nowhere", [0],
                 prepare=lambda f: f.SetInputArrayToProcess(1, 0, 0, 0, "nowhere"))
