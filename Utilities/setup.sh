@@ -17,12 +17,12 @@ packages=(
   libcgal-dev libeigen3-dev libopenblas-dev libsuitesparse-dev
   # ParaView 5.11 with its VTK 9.2, its Python, the MPI its CMake package asks for, and mpirun
   libopenmpi-dev openmpi-bin paraview paraview-dev python3-paraview
-  # what makes the plugin's help pages and icons
+  # what makes the plugin's help pages, icons and widgets
   qhelpgenerator-qt5 qtbase5-dev qtxmlpatterns5-dev-tools
   # headers that VTK's rendering modules ask for; the tests compare pictures
   libfreetype-dev libgl-dev libglew-dev libjpeg-dev libopengl-dev libpng-dev libx11-dev libxext-dev
-  # a screen for tests and demo: X server, software OpenGL, icons
-  libgl1-mesa-dri libqt5svg5 xauth xvfb
+  # a screen for tests and demo: X server, software OpenGL, icons, a mouse
+  libgl1-mesa-dri libqt5svg5 xauth xdotool xvfb
   python3-matplotlib python3-numpy python3-pil python3-scipy)
 
 case ${1:-} in

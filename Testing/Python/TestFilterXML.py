@@ -90,7 +90,7 @@ FILTERS = {
     },
 }
 # Not clamped in C++ (a bad value is an error that names it): range of the panel.
-UNCLAMPED = {"Roundness": (0.0, 10.0), "Cubeness": (0.0, 10.0), "Weight": (0.0, 10.0),
+UNCLAMPED = {"Roundness": (0.0, 50.0), "Cubeness": (0.0, 10.0), "Weight": (0.0, 10.0),
              "Radius": (0.0, None), "TanhSteepness": (0.1, 10.0), "AxisGain": (0.0, None),
              "OftenThreshold": (0.0, None), "TimeBudget": (0.0, None)}
 # The one enumeration without a setter for each entry: it is VTK's.
@@ -196,6 +196,8 @@ def check_input(port, name, element):
 
 def check_decorator(name, decorator):
     """One that names what is not there hides the property for good, without a word."""
+    if decorator.get("type") == "UpdateWhileDragging":
+        return  # of no other property
     if decorator.get("type") == "CompositeDecorator":
         return  # those in it are looked at one by one
     master = elements.get(decorator.get("property"))
@@ -274,6 +276,9 @@ for group in proxy.findall("PropertyGroup"):
     for part in group.findall("Property"):
         check(part.get("name") in elements, f"group {group.get('label')}: {part.get('name')}")
 for owner in list(elements.values()) + proxy.findall("PropertyGroup"):
+    if owner.get("panel_widget", "").startswith("Interactive"):
+        check(owner.find("Hints/PropertyWidgetDecorator[@type='UpdateWhileDragging']") is not None,
+              f"{owner.get('label')}: the model does not follow the handle")
     for decorator in owner.findall("Hints//PropertyWidgetDecorator"):
         check_decorator(owner.get("name") or owner.get("label"), decorator)
 

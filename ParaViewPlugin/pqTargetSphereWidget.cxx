@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqTargetSphereWidget.h"
+
+#include "pqApplicationCore.h"
+#include "pqPipelineSource.h"
+#include "pqRenderView.h"
+#include "pqServerManagerModel.h"
+#include "pqSettings.h"
+#include "pqSpherePropertyWidget.h"
+#include "pqUndoStack.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkSMParaViewPipelineController.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyGroup.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace
+{
+const char* const Setting = "SphericalStyle/ShowTargetSphere";
+constexpr int Custom = 2; // of CenterMode and of RadiusMode
+}
+
+pqTargetSphereWidget::pqTargetSphereWidget(
+  vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parentWidget)
+  : pqPropertyWidget(smproxy, parentWidget)
+  , CenterPosition(smgroup->GetProperty("CenterPosition"))
+  , Badge(new QLabel(this))
+  , ShowSphere(new QCheckBox(tr("Show Target Sphere"), this))
+{
+  this->setShowLabel(false);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(this->ShowSphere);
+  layout->addWidget(this->Badge, 0, Qt::AlignLeft);
+  this->Badge->setObjectName("CenterPosition");
+  this->Badge->setToolTip(pqPropertyWidget::getTooltip(this->CenterPosition));
+  this->ShowSphere->setObjectName("ShowTargetSphere");
+  this->ShowSphere->setToolTip(tr("Show the sphere that the model is rounded to, while the filter "
+                                  "is selected."));
+  pqSettings* settings = pqApplicationCore::instance()->settings();
+  this->ShowSphere->setChecked(settings->value(Setting, true).toBool());
+  this->connect(this->ShowSphere, &QCheckBox::toggled,
+    [settings](bool checked) { settings->setValue(Setting, checked); });
+  this->connect(this->ShowSphere, SIGNAL(toggled(bool)), SLOT(updateSphere()));
+
+  this->Timer.setSingleShot(true);
+  this->Timer.setInterval(1); // one of no time would wait until the mouse rests
+  this->connect(&this->Timer, SIGNAL(timeout()), SLOT(refresh()));
+  auto* source =
+    pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(smproxy);
+  if (source)
+  {
+    // Not in the middle of the update that tells of it.
+    this->Timer.connect(source, SIGNAL(dataUpdated(pqPipelineSource*)), SLOT(start()));
+  }
+  this->Observers[this->CenterPosition] = this->CenterPosition->AddObserver(
+    vtkCommand::ModifiedEvent, this, &pqTargetSphereWidget::updateBadge);
+  for (vtkSMProperty* mode :
+    { smproxy->GetProperty("CenterMode"), smproxy->GetProperty("RadiusMode") })
+  {
+    this->Observers[mode] = mode->AddObserver(
+      vtkCommand::UncheckedPropertyModifiedEvent, this, &pqTargetSphereWidget::startCustom);
+  }
+  this->updateBadge();
+}
+
+pqTargetSphereWidget::~pqTargetSphereWidget()
+{
+  for (const auto& [observed, tag] : this->Observers)
+  {
+    observed->RemoveObserver(tag);
+  }
+  this->addToView(false);
+}
+
+void pqTargetSphereWidget::select()
+{
+  this->pqPropertyWidget::select();
+  this->updateSphere();
+}
+
+void pqTargetSphereWidget::deselect()
+{
+  this->pqPropertyWidget::deselect();
+  this->updateSphere();
+}
+
+void pqTargetSphereWidget::setView(pqView* newView)
+{
+  if (newView != this->view())
+  {
+    this->addToView(false);
+    this->pqPropertyWidget::setView(newView);
+    this->addToView(true);
+    this->updateSphere();
+  }
+}
+
+void pqTargetSphereWidget::refresh()
+{
+  this->proxy()->UpdatePropertyInformation();
+  this->updateSphere();
+}
+
+void pqTargetSphereWidget::updateBadge()
+{
+  const QString text = vtkSMPropertyHelper(this->CenterPosition).GetAsString();
+  this->Badge->setText(tr("Center ") + text.toLower());
+  this->Badge->setVisible(!text.isEmpty());
+  this->Badge->setStyleSheet(
+    QString("padding: 1px 8px; border-radius: 4px; color: white; background: %1;")
+      .arg(text == "Outside" ? "#b35900" : "#2e7d32"));
+}
+
+void pqTargetSphereWidget::startCustom(vtkObject* mode, unsigned long, void*)
+{
+  vtkSMPropertyHelper applied(static_cast<vtkSMProperty*>(mode));
+  vtkSMPropertyHelper chosen(static_cast<vtkSMProperty*>(mode));
+  chosen.SetUseUnchecked(true);
+  if (!this->executedSource() || applied.GetAsInt() == Custom || chosen.GetAsInt() != Custom)
+  {
+    return;
+  }
+  this->proxy()->UpdatePropertyInformation();
+  const bool center = mode == this->proxy()->GetProperty("CenterMode");
+  const std::vector<double> effective =
+    vtkSMPropertyHelper(this->proxy(), center ? "EffectiveCenter" : "EffectiveRadius")
+      .GetDoubleArray();
+  vtkSMPropertyHelper custom(this->proxy(), center ? "Center" : "Radius");
+  custom.SetUseUnchecked(true);
+  custom.Set(effective.data(), static_cast<unsigned int>(effective.size()));
+}
+
+/// The filter, unless Apply was never pressed: then nothing must be executed, not even for a
+/// picture.
+pqPipelineSource* pqTargetSphereWidget::executedSource() const
+{
+  auto* source =
+    pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
+      this->proxy());
+  return source && source->modifiedState() != pqProxy::UNINITIALIZED ? source : nullptr;
+}
+
+bool pqTargetSphereWidget::isSphereWanted() const
+{
+  if (!this->isSelected() || !this->ShowSphere->isChecked() || !this->executedSource())
+  {
+    return false;
+  }
+  for (const auto* other : this->parentWidget()->findChildren<pqSpherePropertyWidget*>())
+  {
+    if (other->isWidgetVisible())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void pqTargetSphereWidget::updateSphere()
+{
+  const bool wanted = this->isSphereWanted();
+  if (wanted && !this->Sphere)
+  {
+    this->makeSphere();
+    this->addToView(true);
+  }
+  if (!this->Sphere)
+  {
+    return;
+  }
+  vtkSMPropertyHelper visibility(this->Sphere, "Visibility");
+  if ((visibility.GetAsInt() != 0) != wanted)
+  {
+    visibility.Set(wanted);
+    this->Sphere->UpdateVTKObjects();
+    if (this->view())
+    {
+      this->view()->render();
+    }
+  }
+}
+
+void pqTargetSphereWidget::makeSphere()
+{
+  auto* source = vtkSMSourceProxy::SafeDownCast(this->proxy());
+  SCOPED_UNDO_EXCLUDE();
+  vtkNew<vtkSMParaViewPipelineController> controller;
+  this->Sphere.TakeReference(
+    source->GetSessionProxyManager()->NewProxy("representations", "GeometryRepresentation"));
+  this->Sphere->PrototypeOn(); // not tracked by undo, as ParaView's own widgets
+  controller->PreInitializeProxy(this->Sphere);
+  vtkSMPropertyHelper(this->Sphere, "Input")
+    .Set(source, source->GetOutputPortIndex("Target Sphere"));
+  const double color[3] = { 1.0, 0.75, 0.2 }; // opaque: peeling translucent lines takes long
+  vtkSMPropertyHelper(this->Sphere, "AmbientColor").Set(color, 3);
+  vtkSMPropertyHelper(this->Sphere, "DiffuseColor").Set(color, 3);
+  vtkSMPropertyHelper(this->Sphere, "Pickable").Set(0);
+  vtkSMPropertyHelper(this->Sphere, "Visibility").Set(0);
+  controller->PostInitializeProxy(this->Sphere);
+  this->Sphere->UpdateVTKObjects();
+}
+
+void pqTargetSphereWidget::addToView(bool add)
+{
+  auto* renderView = qobject_cast<pqRenderView*>(this->view());
+  if (!renderView || !this->Sphere ||
+    renderView->getProxy()->GetSession() != this->Sphere->GetSession())
+  {
+    return;
+  }
+  SCOPED_UNDO_EXCLUDE();
+  vtkSMPropertyHelper representations(renderView->getProxy(), "HiddenRepresentations");
+  add ? representations.Add(this->Sphere) : representations.Remove(this->Sphere);
+  renderView->getProxy()->UpdateVTKObjects();
+}

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Says in the panel of a filter whether its center is inside of the model, and shows the target
+/// sphere in the view while the filter is selected. For an information property of a filter with an
+/// output port "Target Sphere":
+///
+///     <PropertyGroup panel_widget="TargetSphere">
+///       <Property function="CenterPosition" name="CenterPosition"/>
+///     </PropertyGroup>
+///
+/// The sphere is the output of that name, drawn by a representation that belongs to this widget:
+/// it is neither in the pipeline browser nor in saved states. A sphere that can be dragged takes
+/// its place. A center or radius that becomes custom in the panel starts as it was until then, and
+/// so does the handle. After each execution the information properties of the filter are asked for
+/// again, which ParaView does before it executes only.
+#ifndef pqTargetSphereWidget_h
+#define pqTargetSphereWidget_h
+
+#include "pqPropertyWidget.h"
+#include "vtkSmartPointer.h"
+
+#include <QTimer>
+
+#include <map>
+
+class QCheckBox;
+class QLabel;
+class pqPipelineSource;
+class vtkSMPropertyGroup;
+
+class pqTargetSphereWidget : public pqPropertyWidget
+{
+  Q_OBJECT
+
+public:
+  pqTargetSphereWidget(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
+  ~pqTargetSphereWidget() override;
+
+  void select() override;
+  void deselect() override;
+  void setView(pqView* view) override;
+
+private Q_SLOTS:
+  void refresh();
+  void updateSphere();
+
+private:
+  void updateBadge();
+  void startCustom(vtkObject* mode, unsigned long, void*);
+  pqPipelineSource* executedSource() const;
+  bool isSphereWanted() const;
+  void makeSphere();
+  void addToView(bool add);
+
+  vtkSmartPointer<vtkSMProperty> CenterPosition;
+  QLabel* Badge;
+  QCheckBox* ShowSphere;
+  QTimer Timer;
+  std::map<vtkSmartPointer<vtkSMProperty>, unsigned long> Observers;
+  vtkSmartPointer<vtkSMProxy> Sphere;
+};
+
+#endif

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqUpdateWhileDragging.h"
+
+#include "pqApplicationCore.h"
+#include "pqInteractivePropertyWidgetAbstract.h"
+#include "pqProxy.h"
+#include "pqProxyWidget.h"
+#include "pqServerManagerModel.h"
+#include "pqSettings.h"
+#include "pqUndoStack.h"
+#include "pqView.h"
+#include "vtkPVGeneralSettings.h"
+#include "vtkSMProxy.h"
+#include "vtkSMTrace.h"
+
+#include <QCheckBox>
+#include <QElapsedTimer>
+#include <QGridLayout>
+
+namespace
+{
+const char* const Setting = "SphericalStyle/UpdateWhileDragging";
+
+pqProxyWidget* FindPanel(QWidget* widget)
+{
+  pqProxyWidget* panel = nullptr;
+  for (; widget && !panel; widget = widget->parentWidget())
+  {
+    panel = qobject_cast<pqProxyWidget*>(widget);
+  }
+  return panel;
+}
+
+pqProxy* FindSource(pqPropertyWidget* widget)
+{
+  return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqProxy*>(
+    widget->proxy());
+}
+}
+
+pqUpdateWhileDragging::pqUpdateWhileDragging(vtkPVXMLElement* xml, pqPropertyWidget* widget)
+  : pqPropertyWidgetDecorator(xml, widget)
+{
+  this->Timer.setSingleShot(true);
+  this->connect(&this->Timer, SIGNAL(timeout()), SLOT(update()));
+  this->connect(widget, SIGNAL(startInteraction()), SLOT(start()));
+  this->connect(widget, SIGNAL(interaction()), SLOT(follow()));
+  this->connect(widget, SIGNAL(endInteraction()), SLOT(finish()));
+  if (qobject_cast<pqInteractivePropertyWidgetAbstract*>(widget))
+  {
+    this->addCheckBox();
+  }
+}
+
+pqUpdateWhileDragging::~pqUpdateWhileDragging()
+{
+  this->close();
+}
+
+void pqUpdateWhileDragging::addCheckBox()
+{
+  pqSettings* settings = pqApplicationCore::instance()->settings();
+  this->CheckBox = new QCheckBox(tr("Update While Dragging"), this->parentWidget());
+  this->CheckBox->setObjectName("UpdateWhileDragging");
+  this->CheckBox->setToolTip(tr("The model follows while you drag, if an update takes less than "
+                                "%1 s; otherwise when you let go.")
+                               .arg(SlowUpdate / 1000.0));
+  this->CheckBox->setChecked(settings->value(Setting, true).toBool());
+  this->connect(this->CheckBox, &QCheckBox::toggled,
+    [settings](bool checked) { settings->setValue(Setting, checked); });
+  QLayout* layout = this->parentWidget()->layout();
+  if (auto* grid = qobject_cast<QGridLayout*>(layout))
+  {
+    grid->addWidget(this->CheckBox, grid->rowCount(), 0, 1, -1);
+  }
+  else
+  {
+    layout->addWidget(this->CheckBox);
+  }
+}
+
+bool pqUpdateWhileDragging::isWanted() const
+{
+  const pqProxy* source = FindSource(this->parentWidget());
+  return source && source->modifiedState() != pqProxy::UNINITIALIZED &&
+    (this->CheckBox ? this->CheckBox->isChecked()
+                    : vtkPVGeneralSettings::GetInstance()->GetAutoApply());
+}
+
+void pqUpdateWhileDragging::start()
+{
+  this->close(); // should the end of the last one have been lost
+  this->Dragging = this->isWanted();
+  this->SlowUpdates = 0;
+  if (this->Dragging)
+  {
+    BEGIN_UNDO_SET(tr("Drag"));
+  }
+}
+
+void pqUpdateWhileDragging::follow()
+{
+  // A timer of no time would wait until the mouse rests.
+  if (this->Dragging && this->SlowUpdates < 2 && !this->Timer.isActive() &&
+    !vtkSMTrace::GetActiveTracer())
+  {
+    this->Timer.start(1);
+  }
+}
+
+void pqUpdateWhileDragging::finish()
+{
+  if (!this->Dragging)
+  {
+    return;
+  }
+  // Not at once: the widget's end of the change, which lights up Apply, comes after this signal.
+  QTimer::singleShot(0, this,
+    [this]
+    {
+      this->update();
+      this->close();
+      pqApplicationCore::instance()->render(); // what shows the result elsewhere, such as charts
+    });
+}
+
+void pqUpdateWhileDragging::close()
+{
+  this->Timer.stop();
+  if (this->Dragging)
+  {
+    this->Dragging = false;
+    END_UNDO_SET();
+  }
+}
+
+void pqUpdateWhileDragging::update()
+{
+  const pqProxyWidget* panel = FindPanel(this->parentWidget());
+  pqProxy* source = FindSource(this->parentWidget());
+  pqView* view = this->parentWidget()->view();
+  if (!panel || !source || !view)
+  {
+    return;
+  }
+  QElapsedTimer clock;
+  clock.start();
+  panel->apply();
+  source->setModifiedState(pqProxy::UNMODIFIED);
+  view->forceRender();
+  this->SlowUpdates = clock.elapsed() > SlowUpdate ? this->SlowUpdates + 1 : 0;
+}

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The model follows a handle or slider of the panel while it is dragged, not only when it is let
+/// go. A decorator: in the XML of any property or group whose widget has the signals
+/// startInteraction(), interaction() and endInteraction(), as ParaView's interactive widgets have,
+///
+///     <PropertyWidgetDecorator type="UpdateWhileDragging"/>
+///
+/// An update is an Apply of the filter's own panel and a rendering of the view. It begins when the
+/// mouse events so far are handled, so that updates never queue up behind the mouse, and where one
+/// took longer than SlowUpdate the rest of the drag waits for the release. Undo takes back the
+/// whole drag. While a trace is recorded there is one update, on release.
+///
+/// Widgets in the view get a check box, on by default and kept in ParaView's settings; a slider
+/// follows while Auto Apply is on. Before the first Apply, and where neither says so, all is as
+/// without the decorator.
+#ifndef pqUpdateWhileDragging_h
+#define pqUpdateWhileDragging_h
+
+#include "pqPropertyWidgetDecorator.h"
+
+#include <QTimer>
+
+class QCheckBox;
+
+class pqUpdateWhileDragging : public pqPropertyWidgetDecorator
+{
+  Q_OBJECT
+
+public:
+  pqUpdateWhileDragging(vtkPVXMLElement* xml, pqPropertyWidget* widget);
+  ~pqUpdateWhileDragging() override;
+
+  static constexpr int SlowUpdate = 500; ///< milliseconds
+
+private Q_SLOTS:
+  void start();
+  void follow();
+  void finish();
+  void update();
+
+private:
+  void addCheckBox();
+  bool isWanted() const;
+  void close();
+
+  QCheckBox* CheckBox = nullptr;
+  QTimer Timer;
+  bool Dragging = false; // and an undo set is open
+  int SlowUpdates = 0;   // in a row
+};
+
+#endif

@@ -1,0 +1,79 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs in ParaView's window, started by drag.py: rounds a model around a center of its own, and writes a line of
+JSON to a file for each execution and for where the handle is. Settings come in the environment variable DRAG."""
+import json
+import os
+import time
+
+from paraview import servermanager, simple
+
+settings = json.loads(os.environ["DRAG"])
+log = open(settings["log"], "w", buffering=1)
+
+
+def write(**facts):
+    log.write(json.dumps(dict(facts, time=time.time())) + "\n")
+
+
+def values(name, size, unchecked=False):
+    """Of a property: as applied, or as the panel shows it."""
+    helper = servermanager.vtkSMPropertyHelper(style.SMProxy, name)
+    helper.SetUseUnchecked(unchecked)
+    return [helper.GetAsDouble(i) for i in range(size)]
+
+
+general = simple.GetSettingsProxy("GeneralSettings")
+general.AutoApply = settings["auto_apply"]
+model = simple.OpenDataFile(settings["model"])
+style = simple.SphericalStyle(Input=model, DetailSize=settings["detail_size"])
+style.UpdatePipeline()
+style.SMProxy.UpdatePropertyInformation()
+center, radius = values("EffectiveCenter", 3), values("EffectiveRadius", 1)[0]
+view = simple.GetActiveViewOrCreate("RenderView")
+simple.Show(style, view)
+simple.ResetCamera(view)
+simple.Render(view)
+simple.SetActiveSource(style)
+
+
+# As chosen in the panel: the widget that shows the target sphere begins with what was shown.
+for name, mode, shown in (("Center", "CenterMode", center), ("Radius", "RadiusMode", [radius])):
+    if name == "Center" or settings["sphere"]:
+        helper = servermanager.vtkSMPropertyHelper(style.SMProxy, mode)
+        helper.SetUseUnchecked(True)
+        helper.Set(2)
+        begin = values(name, len(shown), unchecked=True)
+        if begin != shown:
+            raise RuntimeError(f"{name} begins with {begin}, but it was {shown}")
+        style.SetPropertyWithName(mode, "Custom")
+        style.SetPropertyWithName(name, shown)
+simple.Render(view)
+
+
+renderer = view.GetRenderer()
+
+
+def to_screen(point):
+    renderer.SetWorldPoint(*point, 1.0)
+    renderer.WorldToDisplay()
+    return renderer.GetDisplayPoint()
+
+
+def moved_by(right, up):
+    """Where the center comes to with the mouse so many pixels away, in a plane parallel to the screen through what is
+    dragged: the cross in the center, or the front of the sphere."""
+    into_screen = renderer.GetActiveCamera().GetDirectionOfProjection()
+    depth = -radius if settings["sphere"] else 0.0
+    grabbed = [c + depth * e for c, e in zip(center, into_screen)]
+    x, y, z = to_screen(grabbed)
+    renderer.SetDisplayPoint(x + right, y + up, z)
+    renderer.DisplayToWorld()
+    point = renderer.GetWorldPoint()
+    return [c + p / point[3] - g for c, p, g in zip(center, point, grabbed)]
+
+
+style.SMProxy.AddObserver("UpdateDataEvent", lambda *_: write(center=values("Center", 3)))
+x, y, _ = to_screen(center)
+write(handle=[x, view.ViewSize[1] - y], center=center, radius=radius,
+      released=moved_by(*settings["released"]))
