@@ -449,6 +449,14 @@ int vtkConvexProxyDeformFilter::FillInputPortInformation(int port, vtkInformatio
 int vtkConvexProxyDeformFilter::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  return RunGuarded(
+    this, outputVector, [&] { return this->Execute(inputVector, outputVector); },
+    [this] { this->Internal = std::make_unique<Internals>(); });
+}
+
+int vtkConvexProxyDeformFilter::Execute(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   vtkPolyData* input = vtkPolyData::GetData(inputVector[MODEL], 0);
   vtkPolyData* ownProxy = vtkPolyData::GetData(inputVector[PROXY], 0);
   vtkSelection* selection = vtkSelection::GetData(inputVector[SELECTION], 0);
@@ -465,35 +473,25 @@ int vtkConvexProxyDeformFilter::RequestWholeData(
 
   namespace Conversion = vtkSurfaceMeshConversion;
   const SphericalStyle::ProxyDeformation& deformation = this->Internal->Deformation;
-  vtkSurfaceMesh surface;
-  Points t;
+  Internals::CheckProperties(this);
+  const vtkSurfaceMesh surface = Conversion::FromPolyData(input, true, Conversion::TakePoints::All);
+  ProxyDeformationOptions options = Internals::MakeOptions(this, surface, input, ownProxy);
+  const std::vector<char> region =
+    vtkSurfaceRegion::Marks(this->GetInputArrayInformation(REGION_MASK), selection, input, surface);
   bool perAxis = false;
-  ProxyDeformationReport report;
-  try
+  const Points t = Internals::BlendWeights(this, surface, input, region, perAxis);
+  options.t = t;
+  if (this->HullOf == REGION)
   {
-    Internals::CheckProperties(this);
-    surface = Conversion::FromPolyData(input, true, Conversion::TakePoints::All);
-    ProxyDeformationOptions options = Internals::MakeOptions(this, surface, input, ownProxy);
-    const std::vector<char> region = vtkSurfaceRegion::Marks(
-      this->GetInputArrayInformation(REGION_MASK), selection, input, surface);
-    options.t = t = Internals::BlendWeights(this, surface, input, region, perAxis);
-    if (this->HullOf == REGION)
+    options.hullPoints = Marked(region);
+  }
+  this->SetProgressText("Rounding the proxy");
+  const ProxyDeformationReport report = this->Internal->Deformation.Deform(surface.Mesh, options,
+    [this](double share)
     {
-      options.hullPoints = Marked(region);
-    }
-    this->SetProgressText("Rounding the proxy");
-    report = this->Internal->Deformation.Deform(surface.Mesh, options,
-      [this](double share)
-      {
-        this->UpdateProgress(0.1 + 0.9 * share);
-        return !Aborted(this);
-      });
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< InBlock(this) << error.what());
-    return 0;
-  }
+      this->UpdateProgress(0.1 + 0.9 * share);
+      return !Aborted(this);
+    });
   if (report.aborted)
   {
     return 1;

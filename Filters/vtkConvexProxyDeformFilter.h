@@ -429,6 +429,9 @@ private:
   vtkConvexProxyDeformFilter(const vtkConvexProxyDeformFilter&) = delete;
   void operator=(const vtkConvexProxyDeformFilter&) = delete;
 
+  /// RequestData, which turns what this throws into a message.
+  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
   int ProxyMesher = ISOTROPIC_REMESHING;
   int HullOf = REGION;
   int NumberOfProxyPoints = 5000;

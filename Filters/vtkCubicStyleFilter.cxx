@@ -62,6 +62,14 @@ int vtkCubicStyleFilter::FillOutputPortInformation(int port, vtkInformation* inf
 int vtkCubicStyleFilter::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  return RunGuarded(
+    this, outputVector, [&] { return this->Execute(inputVector, outputVector); },
+    [this] { this->Internal = std::make_unique<Internals>(); });
+}
+
+int vtkCubicStyleFilter::Execute(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   Internals::SetFacts(this, {});
   if (!IsSurface(this, inputVector[0]))
@@ -73,20 +81,12 @@ int vtkCubicStyleFilter::RequestWholeData(
     return 1;
   }
   vtkLocalTermStyle& style = this->Internal->Style;
-  try
-  {
-    Require(std::isfinite(this->Cubeness) && this->Cubeness >= 0.0, "Cubeness",
-      "finite and 0 or more", this->Cubeness);
-    const SphericalStyle::LoopOptions loop = vtkLocalTermStyle::MakeLoopOptions(
-      this->StopRule, this->Tolerance, this->MaximumNumberOfIterations, this->Acceleration);
-    style.Solve(this, input, loop, this->NumberOfThreads,
-      std::make_shared<SphericalStyle::CubicStyle>(this->Cubeness));
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< InBlock(this) << error.what());
-    return 0;
-  }
+  Require(std::isfinite(this->Cubeness) && this->Cubeness >= 0.0, "Cubeness",
+    "finite and 0 or more", this->Cubeness);
+  const SphericalStyle::LoopOptions loop = vtkLocalTermStyle::MakeLoopOptions(
+    this->StopRule, this->Tolerance, this->MaximumNumberOfIterations, this->Acceleration);
+  style.Solve(this, input, loop, this->NumberOfThreads,
+    std::make_shared<SphericalStyle::CubicStyle>(this->Cubeness));
   style.FillOutputs(this, input, vtkPolyData::GetData(outputVector, 0),
     vtkTable::GetData(outputVector, 1), this->OutputPointsPrecision, this->GenerateNormals,
     "Cubic");

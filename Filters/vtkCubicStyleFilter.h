@@ -163,6 +163,9 @@ private:
   vtkCubicStyleFilter(const vtkCubicStyleFilter&) = delete;
   void operator=(const vtkCubicStyleFilter&) = delete;
 
+  /// RequestData, which turns what this throws into a message.
+  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
   double Cubeness = 0.5;
   int StopRule = CONVERGED;
   double Tolerance = 1e-3;

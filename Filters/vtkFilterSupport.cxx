@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -81,6 +82,24 @@ bool FindLeaf(vtkDataObjectTree* tree, vtkDataObject* leaf, std::string& path)
   }
   return false;
 }
+
+void ReportFailure(vtkAlgorithm* self, vtkInformationVector* outputs, const char* what)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    if (vtkDataObject* data = vtkDataObject::GetData(outputs, port))
+    {
+      data->Initialize();
+    }
+  }
+  try
+  {
+    vtkErrorWithObjectMacro(self, << vtkFilterSupport::InBlock(self) << what);
+  }
+  catch (const std::bad_alloc&) // no memory for words: the pipeline says that the filter failed
+  {
+  }
+}
 }
 
 namespace vtkFilterSupport
@@ -104,6 +123,43 @@ std::string InBlock(vtkAlgorithm* self)
 void TakeDataSet(vtkInformation* port)
 {
   port->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+}
+
+int RunGuarded(vtkAlgorithm* self, vtkInformationVector* outputs,
+  const std::function<int()>& execute, const std::function<void()>& forget)
+{
+  try
+  {
+    try
+    {
+      return execute();
+    }
+    catch (const std::invalid_argument&)
+    {
+      throw;
+    }
+    catch (...)
+    {
+      if (forget)
+      {
+        forget();
+      }
+      throw;
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    ReportFailure(self, outputs, "not enough memory");
+  }
+  catch (const std::exception& error)
+  {
+    ReportFailure(self, outputs, error.what());
+  }
+  catch (...)
+  {
+    ReportFailure(self, outputs, "a failure without a message");
+  }
+  return 0;
 }
 
 bool IsSurface(vtkAlgorithm* self, vtkInformationVector* port)

@@ -7,6 +7,7 @@
 
 #include "vtkType.h" // for vtkIdType
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,6 +40,14 @@ std::string InBlock(vtkAlgorithm* self);
 /// For FillInputPortInformation: any data set may come in, so that IsSurface can say what to do
 /// with it.
 void TakeDataSet(vtkInformation* port);
+
+/// For RequestData: runs `execute`. What it throws becomes an error message, and there is no output
+/// then: no exception gets into the pipeline, which does not expect any.
+/// @param forget  drops what is kept between executions: a failure that is not of the input, such
+/// as
+///        memory that ran out, may have left it unfinished
+int RunGuarded(vtkAlgorithm* self, vtkInformationVector* outputs,
+  const std::function<int()>& execute, const std::function<void()>& forget = {});
 
 /// Whether the data at the port can be a surface, or there is none; else an error says how to get
 /// one.

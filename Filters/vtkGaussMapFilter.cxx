@@ -265,6 +265,12 @@ int vtkGaussMapFilter::RequestInformation(
 int vtkGaussMapFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  return RunGuarded(this, outputVector, [&] { return this->Execute(inputVector, outputVector); });
+}
+
+int vtkGaussMapFilter::Execute(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   using namespace SphericalStyle;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   Internals::Measure(this, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), 0); // of nothing
@@ -277,19 +283,10 @@ int vtkGaussMapFilter::RequestData(
     return 1;
   }
 
+  Require(std::isfinite(this->OftenThreshold) && this->OftenThreshold >= 0.0, "OftenThreshold",
+    "finite and 0 or more", this->OftenThreshold);
   vtkSurfaceMesh surface;
-  WeightedNormals found;
-  try
-  {
-    Require(std::isfinite(this->OftenThreshold) && this->OftenThreshold >= 0.0, "OftenThreshold",
-      "finite and 0 or more", this->OftenThreshold);
-    found = Internals::GatherNormals(this, input, surface);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< InBlock(this) << error.what());
-    return 0;
-  }
+  const WeightedNormals found = Internals::GatherNormals(this, input, surface);
 
   const auto equalAngle = SphericalStyle::SphereUnits::EqualAngle(Longitudes, Latitudes);
   const auto equalArea = SphericalStyle::SphereUnits::EqualArea(this->NumberOfEqualAreaUnits);

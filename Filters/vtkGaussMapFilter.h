@@ -169,6 +169,9 @@ private:
   vtkGaussMapFilter(const vtkGaussMapFilter&) = delete;
   void operator=(const vtkGaussMapFilter&) = delete;
 
+  /// RequestData, which turns what this throws into a message.
+  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
   int NormalSource = FACE_NORMALS;
   bool AreaWeighted = false;
   double OftenThreshold = 5.0;

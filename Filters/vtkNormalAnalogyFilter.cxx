@@ -168,6 +168,14 @@ int vtkNormalAnalogyFilter::FillOutputPortInformation(int port, vtkInformation* 
 int vtkNormalAnalogyFilter::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  return RunGuarded(
+    this, outputVector, [&] { return this->Execute(inputVector, outputVector); },
+    [this] { this->Internal = std::make_unique<Internals>(); });
+}
+
+int vtkNormalAnalogyFilter::Execute(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   vtkPolyData* input = vtkPolyData::GetData(inputVector[MODEL], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   Internals::SetFacts(this, {}, 0);
@@ -180,24 +188,16 @@ int vtkNormalAnalogyFilter::RequestWholeData(
     return 1;
   }
   vtkLocalTermStyle& style = this->Internal->Style;
-  std::shared_ptr<SphericalStyle::NormalAnalogy> analogy;
-  Points normals;
-  try
-  {
-    Require(std::isfinite(this->Weight) && this->Weight >= 0.0, "Weight", "finite and 0 or more",
-      this->Weight);
-    const SphericalStyle::LoopOptions loop = vtkLocalTermStyle::MakeLoopOptions(
-      this->StopRule, this->Tolerance, this->MaximumNumberOfIterations, this->Acceleration);
-    normals = this->Style == MESH ? NormalsOfMesh(vtkPolyData::GetData(inputVector[STYLE_MESH], 0))
-                                  : NormalsOfSolid(this->Style);
-    analogy = std::make_shared<SphericalStyle::NormalAnalogy>(ClosestNormal(normals), this->Weight);
-    style.Solve(this, input, loop, this->NumberOfThreads, analogy);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< InBlock(this) << error.what());
-    return 0;
-  }
+  Require(std::isfinite(this->Weight) && this->Weight >= 0.0, "Weight", "finite and 0 or more",
+    this->Weight);
+  const SphericalStyle::LoopOptions loop = vtkLocalTermStyle::MakeLoopOptions(
+    this->StopRule, this->Tolerance, this->MaximumNumberOfIterations, this->Acceleration);
+  const Points normals = this->Style == MESH
+    ? NormalsOfMesh(vtkPolyData::GetData(inputVector[STYLE_MESH], 0))
+    : NormalsOfSolid(this->Style);
+  const auto analogy =
+    std::make_shared<SphericalStyle::NormalAnalogy>(ClosestNormal(normals), this->Weight);
+  style.Solve(this, input, loop, this->NumberOfThreads, analogy);
   style.FillOutputs(this, input, output, vtkTable::GetData(outputVector, 1),
     this->OutputPointsPrecision, this->GenerateNormals, "Analogy");
   if (this->GenerateTargetNormal)

@@ -207,6 +207,9 @@ private:
   vtkNormalAnalogyFilter(const vtkNormalAnalogyFilter&) = delete;
   void operator=(const vtkNormalAnalogyFilter&) = delete;
 
+  /// RequestData, which turns what this throws into a message.
+  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
   int Style = CUBE;
   double Weight = 1.0;
   int StopRule = CONVERGED;

@@ -13,6 +13,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <mutex>
 
 std::vector<int> vtkPoissonDisk(
   const SphericalStyle::Points& samples, const SphericalStyle::Points& normals, double radius)
@@ -42,7 +43,10 @@ std::vector<int> vtkPoissonDisk(
   vtkNew<vtkPoissonDiskSampler> sampler;
   sampler->SetInputData(cloud);
   sampler->SetRadius(radius);
-  // In one thread: with more the sampler keeps other points each time, and too few.
+  // In one thread: with more the sampler keeps other points each time, and too few. The setting is
+  // of the whole process, so two filters at once take turns.
+  static std::mutex oneAtATime;
+  const std::lock_guard<std::mutex> lock(oneAtATime);
   vtkSMPTools::LocalScope(
     vtkSMPTools::Config{ 1, "Sequential", false }, [&sampler] { sampler->Update(); });
 

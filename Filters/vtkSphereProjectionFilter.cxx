@@ -63,6 +63,12 @@ int vtkSphereProjectionFilter::FillInputPortInformation(int, vtkInformation* inf
 int vtkSphereProjectionFilter::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  return RunGuarded(this, outputVector, [&] { return this->Execute(inputVector, outputVector); });
+}
+
+int vtkSphereProjectionFilter::Execute(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   namespace Conversion = vtkSurfaceMeshConversion;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
@@ -77,24 +83,15 @@ int vtkSphereProjectionFilter::RequestWholeData(
     return 1;
   }
 
-  vtkSurfaceMesh surface;
+  Require(this->Coefficient >= 0.0 && this->Coefficient <= 1.0, "Coefficient", "in 0..1",
+    this->Coefficient);
+  RequireSphere(this->CenterMode == CUSTOM_CENTER ? this->Center : nullptr,
+    this->RadiusMode == CUSTOM_RADIUS ? &this->Radius : nullptr);
+  const vtkSurfaceMesh surface = Conversion::FromPolyData(input, true, Conversion::TakePoints::All);
   Sphere sphere;
-  try
-  {
-    Require(this->Coefficient >= 0.0 && this->Coefficient <= 1.0, "Coefficient", "in 0..1",
-      this->Coefficient);
-    RequireSphere(this->CenterMode == CUSTOM_CENTER ? this->Center : nullptr,
-      this->RadiusMode == CUSTOM_RADIUS ? &this->Radius : nullptr);
-    surface = Conversion::FromPolyData(input, true, Conversion::TakePoints::All);
-    sphere.center = Eigen::Vector3d(this->Center);
-    sphere.radius = this->RadiusMode == CUSTOM_RADIUS ? this->Radius : 1.0;
-    sphere = FindSphere(surface.Mesh, this->CenterMode, this->RadiusMode, sphere);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< InBlock(this) << error.what());
-    return 0;
-  }
+  sphere.center = Eigen::Vector3d(this->Center);
+  sphere.radius = this->RadiusMode == CUSTOM_RADIUS ? this->Radius : 1.0;
+  sphere = FindSphere(surface.Mesh, this->CenterMode, this->RadiusMode, sphere);
 
   std::vector<int> onCenter;
   const Points Q =

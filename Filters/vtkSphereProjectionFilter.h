@@ -148,6 +148,9 @@ private:
   vtkSphereProjectionFilter(const vtkSphereProjectionFilter&) = delete;
   void operator=(const vtkSphereProjectionFilter&) = delete;
 
+  /// RequestData, which turns what this throws into a message.
+  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
   double Coefficient = 0.5;
   int CenterMode = POINT_MEAN;
   double Center[3] = { 0.0, 0.0, 0.0 };

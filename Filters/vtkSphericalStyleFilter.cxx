@@ -663,6 +663,14 @@ int vtkSphericalStyleFilter::FillOutputPortInformation(int port, vtkInformation*
 int vtkSphericalStyleFilter::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  return RunGuarded(
+    this, outputVector, [&] { return this->Execute(inputVector, outputVector); },
+    [this] { this->Internal = std::make_unique<Internals>(); });
+}
+
+int vtkSphericalStyleFilter::Execute(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   Internals::Inputs inputs = { vtkPolyData::GetData(inputVector[MODEL], 0),
     vtkPointSet::GetData(inputVector[CENTERS], 0),
     vtkSelection::GetData(inputVector[SELECTION], 0) };
@@ -679,37 +687,26 @@ int vtkSphericalStyleFilter::RequestWholeData(
     return 1;
   }
 
-  const vtkSurfaceMesh* taken = nullptr;
-  Points Q;
+  Internals::CheckProperties(this);
+  const vtkSurfaceMesh& surface = this->Internal->TakeSurface(this, inputs);
+  const std::vector<char> region = vtkSurfaceRegion::Marks(
+    this->GetInputArrayInformation(REGION_MASK), inputs.Selection, inputs.Model, surface);
   Eigen::VectorXd regionWeights;
-  try
+  if (!region.empty())
   {
-    Internals::CheckProperties(this);
-    taken = &this->Internal->TakeSurface(this, inputs);
-    const vtkSurfaceMesh& surface = *taken;
-    const std::vector<char> region = vtkSurfaceRegion::Marks(
-      this->GetInputArrayInformation(REGION_MASK), inputs.Selection, inputs.Model, surface);
-    if (!region.empty())
+    regionWeights = vtkSurfaceRegion::Weights(
+      surface.Mesh.P, region, this->BorderWidth, ThreadsToUse(this->NumberOfThreads));
+  }
+  Points Q;
+  report = this->Internal->Solve(
+    this, surface, inputs, region, regionWeights,
+    [this](int iteration, double)
     {
-      regionWeights = vtkSurfaceRegion::Weights(
-        surface.Mesh.P, region, this->BorderWidth, ThreadsToUse(this->NumberOfThreads));
-    }
-    report = this->Internal->Solve(
-      this, surface, inputs, region, regionWeights,
-      [this](int iteration, double)
-      {
-        this->UpdateProgress(1.0 - 0.8 / (1.0 + 0.1 * iteration));
-        return !Aborted(this);
-      },
-      Q);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< InBlock(this) << error.what());
-    return 0;
-  }
+      this->UpdateProgress(1.0 - 0.8 / (1.0 + 0.1 * iteration));
+      return !Aborted(this);
+    },
+    Q);
 
-  const vtkSurfaceMesh& surface = *taken;
   output->ShallowCopy(inputs.Model);
   vtkSurfaceMeshConversion::ReplacePoints(
     output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);

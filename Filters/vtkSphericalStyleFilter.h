@@ -648,6 +648,9 @@ private:
   vtkSphericalStyleFilter(const vtkSphericalStyleFilter&) = delete;
   void operator=(const vtkSphericalStyleFilter&) = delete;
 
+  /// RequestData, which turns what this throws into a message.
+  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
   static constexpr int NotCounted = -1;
 
   double Roundness = 0.5;

@@ -92,7 +92,6 @@ class Report
 {
 public:
   explicit Report(vtkTable* table)
-    : Table(table)
   {
     const auto add = [table](vtkAbstractArray* column, const char* name)
     {
@@ -121,7 +120,6 @@ public:
   }
 
 private:
-  vtkTable* Table;
   vtkNew<vtkStringArray> Name, Association, Meaning, Consequence;
   vtkNew<vtkIdTypeArray> Count, FirstId;
   vtkNew<vtkDoubleArray> Value;
@@ -288,6 +286,12 @@ int vtkSurfaceDiagnostics::FillOutputPortInformation(int port, vtkInformation* i
 int vtkSurfaceDiagnostics::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  return RunGuarded(this, outputVector, [&] { return this->Execute(inputVector, outputVector); });
+}
+
+int vtkSurfaceDiagnostics::Execute(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
@@ -300,25 +304,15 @@ int vtkSurfaceDiagnostics::RequestData(
     return 1;
   }
   this->SetProgressText("Inspecting");
-  try
-  {
-    Require(std::isfinite(this->SliverAngle), "SliverAngle", "finite", this->SliverAngle);
-    const WholeSurface surface = vtkSurfaceMeshConversion::Whole(input);
-    this->UpdateProgress(0.3);
-    const MeshDiagnosis diagnosis = SphericalStyle::Diagnose(
-      surface.Mesh.P, surface.Mesh.F, { this->WeldCoincidentPoints, this->SliverAngle });
-    output->ShallowCopy(input);
-    AddPointMarks(output, diagnosis.pointMarks);
-    AddCellMarks(output, surface, diagnosis);
-    MakeTable(table, input, surface, diagnosis);
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    table->Initialize();
-    vtkErrorMacro(<< InBlock(this) << error.what());
-    return 0;
-  }
+  Require(std::isfinite(this->SliverAngle), "SliverAngle", "finite", this->SliverAngle);
+  const WholeSurface surface = vtkSurfaceMeshConversion::Whole(input);
+  this->UpdateProgress(0.3);
+  const MeshDiagnosis diagnosis = SphericalStyle::Diagnose(
+    surface.Mesh.P, surface.Mesh.F, { this->WeldCoincidentPoints, this->SliverAngle });
+  output->ShallowCopy(input);
+  AddPointMarks(output, diagnosis.pointMarks);
+  AddCellMarks(output, surface, diagnosis);
+  MakeTable(table, input, surface, diagnosis);
   return 1;
 }
 

@@ -81,6 +81,9 @@ private:
   vtkSurfaceDiagnostics(const vtkSurfaceDiagnostics&) = delete;
   void operator=(const vtkSurfaceDiagnostics&) = delete;
 
+  /// RequestData, which turns what this throws into a message.
+  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
   double SliverAngle = 1.0;
   bool WeldCoincidentPoints = true;
 };

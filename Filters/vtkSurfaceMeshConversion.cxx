@@ -283,7 +283,7 @@ bool HasTriangles(vtkPolyData* input, const vtkSurfaceMesh& surface)
                                  : equal(polys->GetConnectivityArray32());
 }
 
-/// Whether the points stand where those of the mesh do, and the others somewhere.
+/// Whether the points stand where those of the mesh do, and the others where they did.
 bool HasPoints(vtkPolyData* input, const vtkSurfaceMesh& surface)
 {
   if (static_cast<std::size_t>(input->GetNumberOfPoints()) != surface.MeshPoint.size())
@@ -295,13 +295,14 @@ bool HasPoints(vtkPolyData* input, const vtkSurfaceMesh& surface)
     [&](const auto& tuples)
     {
       auto point = surface.MeshPoint.begin();
+      auto notMoved = surface.NotMovedPoints.begin();
       for (const auto tuple : tuples)
       {
         const int at = *point++;
         for (int k = 0; k < 3; ++k)
         {
           const auto x = static_cast<double>(tuple[k]);
-          same &= at >= 0 ? x == surface.Mesh.P(at, k) : std::abs(x) <= LargestCoordinate;
+          same &= at >= 0 ? x == surface.Mesh.P(at, k) : x == *notMoved++;
         }
       }
     });
@@ -577,10 +578,15 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
   surface.MeshPoint.resize(first.size());
   for (std::size_t i = 0; i < first.size(); ++i)
   {
+    const auto place = x.row(static_cast<Eigen::Index>(i));
     surface.MeshPoint[i] = number[first[i]];
     if (number[i] >= 0)
     {
-      surface.Mesh.P.row(number[i]) = x.row(static_cast<Eigen::Index>(i));
+      surface.Mesh.P.row(number[i]) = place;
+    }
+    if (surface.MeshPoint[i] == vtkSurfaceMesh::NotMoved)
+    {
+      surface.NotMovedPoints.insert(surface.NotMovedPoints.end(), place.begin(), place.end());
     }
   }
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -813,6 +819,16 @@ void ReplacePoints(vtkPolyData* output, const vtkSurfaceMesh& surface, const Poi
     const int from = surface.MeshPoint[i];
     moved[i] = from >= 0 && Q.row(from) != surface.Mesh.P.row(from);
     points->SetPoint(i, moved[i] ? Q.row(from).data() : before->GetPoint(i));
+  }
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    const double* x = points->GetPoint(i);
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+    {
+      throw std::range_error("point " + std::to_string(i) +
+        " of the result is beyond the range of " + (type == VTK_FLOAT ? "single" : "double") +
+        " precision; make Radius and the distance to Center smaller");
+    }
   }
   output->SetPoints(points);
   ReplacePointNormals(output, surface, Q, generateNormals);

@@ -28,6 +28,8 @@ struct vtkSurfaceMesh
   /// Mesh point of each input point; NotMoved for points that are not taken.
   std::vector<int> MeshPoint;
   static constexpr int NotMoved = -1;
+  /// Coordinates of those, in order: one that moves to the place of another is one with it.
+  std::vector<double> NotMovedPoints;
   bool Welded = false; ///< whether points at one place are one
 
   /// What was left out or repaired, with the first cell id.
@@ -140,6 +142,7 @@ int OutputPointType(vtkPolyData* input, int precision);
 /// point normals if it had some or `generate` is set, cell normals if it had some. Points that do
 /// not move keep their bits, or the nearest of the new number type, and so do normals of points
 /// that no moved triangle touches.
+/// @throw std::range_error naming the first point that would not be finite
 /// @param precision  vtkAlgorithm::DesiredOutputPrecision
 void ReplacePoints(vtkPolyData* output, const vtkSurfaceMesh& surface,
   const SphericalStyle::Points& Q, int precision, bool generateNormals);

@@ -473,6 +473,12 @@ int vtkSurfaceMetrics::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkSurfaceMetrics::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  return RunGuarded(this, outputVector, [&] { return this->Execute(inputVector, outputVector); });
+}
+
+int vtkSurfaceMetrics::Execute(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   vtkPolyData* input = vtkPolyData::GetData(inputVector[SURFACE], 0);
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[REFERENCE], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
@@ -487,24 +493,14 @@ int vtkSurfaceMetrics::RequestData(
   }
 
   this->SetProgressText("Measuring");
-  vtkSurfaceMesh surface;
-  try
+  RequireTarget(
+    this->Roundness, this->CenterMode == CUSTOM_CENTER ? this->Center : nullptr, nullptr);
+  const vtkSurfaceMesh surface =
+    vtkSurfaceMeshConversion::FromPolyData(input, this->WeldCoincidentPoints);
+  output->ShallowCopy(input);
+  if (surface.Mesh.F.rows() > 0)
   {
-    RequireTarget(
-      this->Roundness, this->CenterMode == CUSTOM_CENTER ? this->Center : nullptr, nullptr);
-    surface = vtkSurfaceMeshConversion::FromPolyData(input, this->WeldCoincidentPoints);
-    output->ShallowCopy(input);
-    if (surface.Mesh.F.rows() > 0)
-    {
-      Internals{ this, surface, output, table }.Measure(reference);
-    }
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    table->Initialize();
-    vtkErrorMacro(<< InBlock(this) << error.what());
-    return 0;
+    Internals{ this, surface, output, table }.Measure(reference);
   }
   if (Aborted(this)) // half of the measures are none
   {

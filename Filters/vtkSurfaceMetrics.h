@@ -169,6 +169,9 @@ private:
   vtkSurfaceMetrics(const vtkSurfaceMetrics&) = delete;
   void operator=(const vtkSurfaceMetrics&) = delete;
 
+  /// RequestData, which turns what this throws into a message.
+  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
   int CenterMode = POINT_MEAN;
   double Center[3] = { 0.0, 0.0, 0.0 };
   bool FindSelfIntersections = true;

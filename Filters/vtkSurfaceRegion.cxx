@@ -23,11 +23,30 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 using SphericalStyle::Points;
 
 namespace
 {
+/// Whether the list has the shape that its content asks for; vtkExtractSelection would select
+/// nothing.
+bool HasGoodList(vtkSelectionNode* node)
+{
+  vtkAbstractArray* list = node->GetSelectionList();
+  switch (node->GetContentType())
+  {
+    case vtkSelectionNode::LOCATIONS:
+      return list && list->GetNumberOfComponents() == 3;
+    case vtkSelectionNode::FRUSTUM:
+      return list && list->GetNumberOfValues() == 32; // eight corners
+    case vtkSelectionNode::THRESHOLDS:
+      return list && list->GetNumberOfValues() % 2 == 0;
+    default:
+      return true;
+  }
+}
+
 void CheckNodes(vtkSelection* selection)
 {
   for (unsigned int i = 0; i < selection->GetNumberOfNodes(); ++i)
@@ -37,6 +56,19 @@ void CheckNodes(vtkSelection* selection)
     {
       throw std::invalid_argument(
         "Selection: a query is not understood here; turn it into ids first (in ParaView: Freeze)");
+    }
+    const int content = node->GetContentType();
+    if (content < 0 || content >= vtkSelectionNode::USER)
+    {
+      // vtkExtractSelection would end the process.
+      throw std::invalid_argument(
+        "Selection: content type " + std::to_string(content) + " is not understood here");
+    }
+    if (!HasGoodList(node))
+    {
+      throw std::invalid_argument(std::string("Selection: the list of ") +
+        vtkSelectionNode::GetContentTypeAsString(content) +
+        " must have 3 components (locations), 32 values (a frustum) or pairs (thresholds)");
     }
     if (node->GetFieldType() != vtkSelectionNode::POINT &&
       node->GetFieldType() != vtkSelectionNode::CELL)

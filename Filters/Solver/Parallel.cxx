@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <thread>
 
 namespace SphericalStyle
@@ -20,22 +21,62 @@ int NumberOfShares(int items, int threads)
   return std::max(1, std::min(threads, items / SmallestShare));
 }
 
-// Cuts 0..n into one range per share and runs each on a thread of its own, the first on this one.
+// Calls work(0) on this thread and work(1), ..., work(count - 1) on others.
+void RunOnThreads(int count, const std::function<void(int)>& work)
+{
+  std::vector<std::exception_ptr> thrown(count);
+  const auto run = [&work, &thrown](int k)
+  {
+    try
+    {
+      work(k);
+    }
+    catch (...) // out of a thread it would end the process
+    {
+      thrown[k] = std::current_exception();
+    }
+  };
+  std::vector<std::thread> others;
+  others.reserve(count - 1);
+  try
+  {
+    while (static_cast<int>(others.size()) < count - 1)
+    {
+      others.emplace_back(run, static_cast<int>(others.size()) + 1);
+    }
+  }
+  catch (const std::exception&) // no more threads, or no memory for one
+  {
+    for (int k = static_cast<int>(others.size()) + 1; k < count; ++k)
+    {
+      run(k);
+    }
+  }
+  run(0);
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
+  for (const std::exception_ptr& exception : thrown)
+  {
+    if (exception)
+    {
+      std::rethrow_exception(exception);
+    }
+  }
+}
+
+// Cuts 0..n into one range per share.
 void RunShares(int n, int shares, const std::function<void(int, int)>& body)
 {
   const auto bound = [n, shares](int s)
   { return static_cast<int>(static_cast<long long>(n) * s / shares); };
-  std::vector<std::thread> workers;
-  workers.reserve(shares - 1);
-  for (int s = 1; s < shares; ++s)
+  if (shares == 1)
   {
-    workers.emplace_back(body, bound(s), bound(s + 1));
+    body(0, n);
+    return;
   }
-  body(0, bound(1));
-  for (std::thread& worker : workers)
-  {
-    worker.join();
-  }
+  RunOnThreads(shares, [&](int s) { body(bound(s), bound(s + 1)); });
 }
 }
 
@@ -47,23 +88,14 @@ void ParallelFor(int n, int threads, const std::function<void(int, int)>& body)
 void ParallelTasks(int count, int threads, const std::function<void(int)>& body)
 {
   std::atomic<int> next = 0;
-  const auto work = [&]
-  {
-    for (int task = next++; task < count; task = next++)
+  RunOnThreads(std::max(1, std::min(threads, count)),
+    [&](int)
     {
-      body(task);
-    }
-  };
-  std::vector<std::thread> workers;
-  for (int t = 1; t < std::min(threads, count); ++t)
-  {
-    workers.emplace_back(work);
-  }
-  work();
-  for (std::thread& worker : workers)
-  {
-    worker.join();
-  }
+      for (int task = next++; task < count; task = next++)
+      {
+        body(task);
+      }
+    });
 }
 
 int NumberOfBlocks(int n)

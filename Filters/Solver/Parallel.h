@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Loops over independent items on several threads. Results have the same bits for any number of
-/// threads: items never share output, and sums are taken over blocks of fixed size, in order.
+/// threads: items never share output, and sums are taken over blocks of fixed size, in order. What
+/// a body throws is thrown here once all threads have ended, the first in order if there are
+/// several; where the system has no thread to give, this one does the work.
 #ifndef SphericalStyle_Parallel_h
 #define SphericalStyle_Parallel_h
 
@@ -12,7 +14,7 @@
 
 namespace SphericalStyle
 {
-/// Calls body(begin, end) on disjoint ranges that cover 0..n. body must not throw.
+/// Calls body(begin, end) on disjoint ranges that cover 0..n.
 void ParallelFor(int n, int threads, const std::function<void(int, int)>& body);
 
 /// Calls body(task) for 0..count-1, the next one on whichever thread is free. Tasks must not share

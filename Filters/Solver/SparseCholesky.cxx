@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <mutex>
+#include <new>
 #include <random>
 
 #ifdef SPHERICALSTYLE_WITH_CHOLMOD
@@ -20,6 +21,9 @@
 // Present when the BLAS behind CHOLMOD is OpenBLAS, absent otherwise.
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 extern "C" int openblas_get_num_threads() __attribute__((weak));
+// Present when CHOLMOD was built with OpenMP.
+extern "C" void omp_set_max_active_levels(int) __attribute__((weak));
+extern "C" int omp_get_max_active_levels() __attribute__((weak));
 #endif
 
 namespace SphericalStyle
@@ -62,12 +66,18 @@ private:
 namespace
 {
 /// One BLAS thread while any of these is in scope: the blocks of these factors are small, and the
-/// order of additions must not depend on the machine. Several threads may factor at once.
+/// order of additions must not depend on the machine. Several threads may factor at once. No OpenMP
+/// threads either: where the system has none to give, OpenMP ends the process.
 class SingleThreadedBlas
 {
 public:
   SingleThreadedBlas()
   {
+    if (omp_get_max_active_levels && omp_set_max_active_levels)
+    {
+      this->LevelsBefore = omp_get_max_active_levels();
+      omp_set_max_active_levels(0);
+    }
     const std::lock_guard<std::mutex> lock(Guard);
     if (Scopes++ == 0 && openblas_get_num_threads && openblas_set_num_threads)
     {
@@ -77,6 +87,10 @@ public:
   }
   ~SingleThreadedBlas()
   {
+    if (this->LevelsBefore >= 0)
+    {
+      omp_set_max_active_levels(this->LevelsBefore);
+    }
     const std::lock_guard<std::mutex> lock(Guard);
     if (--Scopes == 0 && Before > 0)
     {
@@ -90,7 +104,19 @@ private:
   static inline std::mutex Guard;
   static inline int Scopes = 0;
   static inline int Before = 0;
+  int LevelsBefore = -1; // OpenMP keeps it per thread
 };
+
+/// OpenBLAS waits forever for its buffer of 128 MB if there is no room for it: asks first. Memory
+/// that nobody touches costs nothing. @throw std::bad_alloc
+void RequireRoomForBlas()
+{
+  constexpr std::size_t room = std::size_t(160) << 20;
+  if (openblas_set_num_threads)
+  {
+    ::operator delete(::operator new(room));
+  }
+}
 
 /// A view of an Eigen matrix, nothing is copied.
 cholmod_sparse View(const SparseCholesky::Matrix& A)
@@ -110,10 +136,7 @@ cholmod_sparse View(const SparseCholesky::Matrix& A)
   view.packed = 1;
   return view;
 }
-}
 
-namespace
-{
 /// Gives the whole pages of an array back to the system; they read as zeros from then on.
 void ReleasePages(const double* begin, const double* end)
 {
@@ -200,6 +223,7 @@ public:
   void Factor(const Matrix& A, Precision precision, int threads) override
   {
     const SingleThreadedBlas scope;
+    RequireRoomForBlas();
     cholmod_sparse view = View(A);
     this->Indefinite.reset();
     this->Double = {}; // their memory is needed

@@ -3,13 +3,13 @@
 #include "StyleSolver.h"
 
 #include "BaseSurface.h"
+#include "Parallel.h"
 #include "SolverMesh.h"
 #include "Stopwatch.h"
 #include "SurfaceMeasures.h"
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <string>
 #include <utility>
 
@@ -508,10 +508,8 @@ EdgeWeights StyleSolver::State::Prepare(const StyleOptions& options, StyleReport
   };
   if (options.detailSize > 0.0)
   {
-    const auto policy = options.threads > 1 ? std::launch::async : std::launch::deferred;
-    std::future<void> meanwhile = std::async(policy, base);
-    this->FactorGlobal(weights, options.threads, report);
-    meanwhile.get();
+    ParallelTasks(2, options.threads,
+      [&](int task) { task == 0 ? this->FactorGlobal(weights, options.threads, report) : base(); });
   }
   else
   {

@@ -447,6 +447,15 @@ void Selections(Checker& check)
         filter->SetSelectionData(MakeSelection({ 1, 2 }, field));
       });
   }
+  // vtkExtractSelection ends the process over the first and selects nothing over the others.
+  for (const int content : { vtkSelectionNode::USER, vtkSelectionNode::NUM_CONTENT_TYPES,
+         vtkSelectionNode::LOCATIONS, vtkSelectionNode::FRUSTUM, vtkSelectionNode::THRESHOLDS })
+  {
+    ExpectError(check, "selection of content type " + Text(content), { "Selection" },
+      [content](vtkConvexProxyDeformFilter* filter, vtkPolyData*) {
+        filter->SetSelectionData(MakeSelection({ 1, 2, 3 }, vtkSelectionNode::POINT, content));
+      });
+  }
 }
 
 //------------------------------------------------------------------------------------------------

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Every filter, the main one with several settings: for tests of what all of them keep to.
+#ifndef EveryFilter_h
+#define EveryFilter_h
+
+#include "FilterTesting.h"
+
+#include "vtkCubicStyleFilter.h"
+#include "vtkGaussMapFilter.h"
+#include "vtkNormalAnalogyFilter.h"
+#include "vtkSphereProjectionFilter.h"
+#include "vtkSurfaceDiagnostics.h"
+#include "vtkSurfaceMetrics.h"
+#ifdef SPHERICALSTYLE_WITH_CGAL
+#include "vtkConvexProxyDeformFilter.h"
+#endif
+
+namespace FilterTesting
+{
+/// A filter, as one setting makes it.
+struct Subject
+{
+  std::string name;
+  std::function<vtkSmartPointer<vtkPolyDataAlgorithm>()> make;
+  bool deforms = true; ///< output 0 is the input with other points
+  bool refuses = true; ///< what the main filter refuses
+};
+
+template <typename Filter>
+Subject SubjectOf(
+  const char* name, const std::function<void(Filter*)>& set = [](Filter*) {})
+{
+  return { name,
+    [set]
+    {
+      auto filter = vtkSmartPointer<Filter>::New();
+      set(filter);
+      return vtkSmartPointer<vtkPolyDataAlgorithm>(filter);
+    } };
+}
+
+template <typename Filter>
+Subject ObserverOf(
+  const char* name, const std::function<void(Filter*)>& set = [](Filter*) {})
+{
+  Subject subject = SubjectOf<Filter>(name, set);
+  subject.deforms = false;
+  return subject;
+}
+
+inline std::vector<Subject> Subjects()
+{
+  using Main = vtkSphericalStyleFilter;
+  std::vector<Subject> all = { SubjectOf<Main>("vtkSphericalStyleFilter"),
+    SubjectOf<Main>(
+      "vtkSphericalStyleFilter with normals", [](Main* f) { f->SetNormalBlend(1.0); }),
+    SubjectOf<Main>("vtkSphericalStyleFilter with details",
+      [](Main* f)
+      {
+        f->SetDetailSize(0.03);
+        f->SetRoundness(5.0);
+      }),
+    SubjectOf<Main>("vtkSphericalStyleFilter with uniform weights",
+      [](Main* f)
+      {
+        f->SetSphericalWeightingToUniform();
+        f->SetMaximumNumberOfIterations(20);
+        f->SetRoundness(50.0);
+      }),
+    SubjectOf<Main>("vtkSphericalStyleFilter with Delaunay weights",
+      [](Main* f)
+      {
+        f->SetEdgeWeightingToIntrinsicDelaunay();
+        f->SetDetailSize(0.03);
+      }),
+    SubjectOf<Main>("vtkSphericalStyleFilter, nonlinear",
+      [](Main* f)
+      {
+        f->SetFeatureToNonlinear();
+        f->SetMaximumNumberOfIterations(5);
+      }),
+    ObserverOf<Main>("vtkSphericalStyleFilter with long edges split",
+      [](Main* f) { f->RefineLongEdgesOn(); }), // it has more points then
+    SubjectOf<vtkCubicStyleFilter>("vtkCubicStyleFilter"),
+    SubjectOf<vtkNormalAnalogyFilter>("vtkNormalAnalogyFilter"),
+    SubjectOf<vtkSphereProjectionFilter>("vtkSphereProjectionFilter"),
+    ObserverOf<vtkGaussMapFilter>("vtkGaussMapFilter"),
+    ObserverOf<vtkSurfaceMetrics>("vtkSurfaceMetrics"),
+    ObserverOf<vtkSurfaceDiagnostics>("vtkSurfaceDiagnostics") };
+  all.back().refuses = false; // it tells
+#ifdef SPHERICALSTYLE_WITH_CGAL
+  all.push_back(SubjectOf<Main>("vtkSphericalStyleFilter without folds",
+    [](Main* f)
+    {
+      f->AvoidSelfIntersectionsOn();
+      f->SetNormalBlend(1.0);
+    }));
+  all.push_back(SubjectOf<vtkConvexProxyDeformFilter>("vtkConvexProxyDeformFilter"));
+#endif
+  return all;
+}
+
+}
+
+#endif

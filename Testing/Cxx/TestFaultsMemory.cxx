@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Every filter with too little memory, in a process of its own: an error and no output, or the
+/// result that there is with enough of it; and once there is enough again, that result to the bit.
+#include "FaultTesting.h"
+
+#ifdef __linux__
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <malloc.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
+
+using namespace FilterTesting;
+
+namespace
+{
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+constexpr int Refused = 10; // exit codes of a child: no memory, and said so
+constexpr int Done = 11;    // there was enough
+constexpr int EndedByVTK = 12;
+
+rlim_t AddressSpace()
+{
+  rlim_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+}
+
+void LimitAddressSpace(rlim_t bytes)
+{
+  rlimit limit = {};
+  getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = bytes;
+  setrlimit(RLIMIT_AS, &limit);
+}
+
+/// What the child process does, and its exit code.
+int RunShort(const Subject& subject, vtkPolyData* input, rlim_t more)
+{
+  Checker check;
+  check.About(subject.name + " with " + Text(static_cast<vtkIdType>(more >> 10)) + " kB");
+  std::vector<std::string> errors;
+  std::vector<std::string> others;
+  errors.reserve(16);
+  const auto filter = subject.make();
+  Watch(filter, vtkCommand::ErrorEvent, errors);
+  Watch(filter, vtkCommand::WarningEvent, others);
+  Watch(filter->GetExecutive(), vtkCommand::ErrorEvent, others);
+  filter->SetInputData(input);
+  filter->UpdateInformation();
+  malloc_trim(0);
+  LimitAddressSpace(AddressSpace() + more);
+  filter->Update();
+  LimitAddressSpace(RLIM_INFINITY);
+  const std::vector<std::string> refused = errors;
+  const bool empty = IsEmpty(filter);
+  const auto result = AllOutputs(filter);
+
+  errors.clear();
+  filter->Modified();
+  filter->Update();
+  const auto again = AllOutputs(filter);
+  const auto fresh = subject.make();
+  Watch(fresh, vtkCommand::WarningEvent, others);
+  fresh->SetInputData(input);
+  fresh->Update();
+  const auto expected = AllOutputs(fresh);
+
+  const bool said = std::any_of(refused.begin(), refused.end(),
+    [](const std::string& error) { return Contains(error, "memory"); });
+  check(refused.empty() || (said && empty),
+    "there should be an error that names the memory and no output" + Joined(refused));
+  check(!refused.empty() || SameOutputs(result, expected),
+    "without an error it should be the whole result");
+  check(errors.empty() && SameOutputs(again, expected),
+    "with memory again it should be the result" + Joined(errors));
+  return check.Result() != EXIT_SUCCESS ? EXIT_FAILURE : refused.empty() ? Done : Refused;
+}
+
+/// Exit code of the child, or minus the signal that ended it. The parent must not have run a
+/// filter: OpenMP does not work in a child of a process that has used it.
+int InChild(const std::function<int()>& work)
+{
+  std::cout.flush();
+  std::FILE* said = std::tmpfile();
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    dup2(fileno(said), STDERR_FILENO);
+    alarm(120);
+    const int code = work();
+    std::cerr.flush();
+    _exit(code);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  std::string text(4096, ' ');
+  std::rewind(said);
+  text.resize(std::fread(text.data(), 1, text.size(), said));
+  std::fclose(said);
+  // VTK built with assertions, as Debian's, ends the process where one of its arrays gets no
+  // memory.
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT && Contains(text, "Unable to allocate"))
+  {
+    return EndedByVTK;
+  }
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  if (code != Refused && code != Done)
+  {
+    std::cerr << text;
+  }
+  return code;
+}
+
+/// @return how often there was not enough
+int CheckShort(Checker& check, const Subject& subject, vtkPolyData* input)
+{
+  int refused = 0;
+  for (rlim_t kilobytes = 0; kilobytes <= 131072; kilobytes = kilobytes == 0 ? 512 : 16 * kilobytes)
+  {
+    check.About(subject.name + " with " + Text(static_cast<vtkIdType>(kilobytes)) + " kB");
+    const int code = InChild([&] { return RunShort(subject, input, kilobytes << 10); });
+    check(code == Refused || code == Done || code == EndedByVTK,
+      "it should end well and ends with " + Text(code));
+    refused += code == Refused;
+  }
+  return refused;
+}
+#endif
+}
+
+int TestFaultsMemory(int, char*[])
+{
+  Checker check;
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  const Surface input = MakeBumpyBall(24, 30);
+  int refused = 0;
+  for (const Subject& subject : Subjects())
+  {
+    refused += CheckShort(check, subject, input);
+  }
+  check.About("all filters");
+  check(refused > 0, "somewhere memory should not be enough");
+  std::cout << refused << " executions ended for want of memory\n";
+#endif
+  return check.Result();
+}
