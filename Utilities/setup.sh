@@ -2,12 +2,13 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# usage: Utilities/setup.sh [--plain-vtk | --packages | --benchmarks]
+# usage: Utilities/setup.sh [--plain-vtk | --packages | --benchmarks | --checks]
 #
 # Installs what building, testing and the demo need on Debian 12 and is not there yet; does nothing
 # if all of it is there. --plain-vtk: also what Utilities/test-plain-vtk.sh needs;
 # --packages: what Utilities/test-packages.sh needs; --benchmarks: what Benchmarks/ needs, and the
-# peers that it compares with.
+# peers that it compares with; --checks: what Utilities/check.sh and the checks of Testing/README.md
+# need.
 # Takes sudo if it is not run as root. On other systems: install the like of the packages below.
 set -euo pipefail
 
@@ -35,9 +36,10 @@ case ${1:-} in
       libdouble-conversion-dev libjsoncpp-dev liblz4-dev liblzma-dev libtbb-dev libutfcpp-dev)
     ;;
   --packages) packages+=(debian-archive-keyring dpkg-dev file mmdebstrap) ;;
+  --checks) packages+=(clang clang-format clang-tidy valgrind) ;;
   --benchmarks) packages+=(libbenchmark-dev libopen3d-dev) ;;
   *)
-    echo "usage: Utilities/setup.sh [--plain-vtk | --packages | --benchmarks]" >&2
+    echo "usage: Utilities/setup.sh [--plain-vtk | --packages | --benchmarks | --checks]" >&2
     exit 2
     ;;
 esac

@@ -10,6 +10,8 @@
 #ifndef SphericalStyle_Vector4_h
 #define SphericalStyle_Vector4_h
 
+#include <cstring>
+
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__) &&       \
   !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define SPHERICALSTYLE_PER_INSTRUCTION_SET                                                         \
@@ -32,14 +34,14 @@ using Vector8 = double __attribute__((vector_size(64), aligned(64)));
 /// p[0..3], which need not be aligned.
 SPHERICALSTYLE_INLINE Vector4 Load4(const double* p)
 {
-  using Unaligned = double __attribute__((vector_size(32), aligned(8), may_alias));
-  return *reinterpret_cast<const Unaligned*>(p);
+  Vector4 x;
+  std::memcpy(&x, p, sizeof(x));
+  return x;
 }
 
 SPHERICALSTYLE_INLINE void Store4(double* p, Vector4 x)
 {
-  using Unaligned = double __attribute__((vector_size(32), aligned(8), may_alias));
-  *reinterpret_cast<Unaligned*>(p) = x;
+  std::memcpy(p, &x, sizeof(x));
 }
 
 /// p[0..2] and 0: where nothing may follow.
@@ -58,10 +60,14 @@ struct Columns4
 
 SPHERICALSTYLE_INLINE Columns4 LoadColumns(const double* matrix)
 {
-  using Order = long long __attribute__((vector_size(32)));
   // The last column is read from the number before it, so that nothing behind it is touched.
-  return { Load4(matrix), Load4(matrix + 3),
-    __builtin_shuffle(Load4(matrix + 5), Order{ 1, 2, 3, 0 }) };
+  const Vector4 last = Load4(matrix + 5);
+#if defined(__clang__) || __GNUC__ >= 12
+  return { Load4(matrix), Load4(matrix + 3), __builtin_shufflevector(last, last, 1, 2, 3, 0) };
+#else
+  using Order = long long __attribute__((vector_size(32)));
+  return { Load4(matrix), Load4(matrix + 3), __builtin_shuffle(last, Order{ 1, 2, 3, 0 }) };
+#endif
 }
 
 SPHERICALSTYLE_INLINE Vector4 operator*(const Columns4& m, const double* v)

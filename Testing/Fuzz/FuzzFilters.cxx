@@ -1,0 +1,441 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// The fuzz target of the filters: bytes choose a filter, its properties and its inputs. Whatever
+/// they are: the output is finite and has the input's points and cells, or there is one error and
+/// no output; the input is unchanged; and a filter that has run before gives what a new one gives.
+/// Built for libFuzzer, and with Replay.cxx for everybody else.
+#include "SurfaceFromBytes.h"
+
+#include "vtkCubicStyleFilter.h"
+#include "vtkGaussMapFilter.h"
+#include "vtkNormalAnalogyFilter.h"
+#include "vtkSphereProjectionFilter.h"
+#include "vtkSurfaceDiagnostics.h"
+#include "vtkSurfaceMetrics.h"
+#ifdef SPHERICALSTYLE_WITH_CGAL
+#include "vtkConvexProxyDeformFilter.h"
+#endif
+
+#include "vtkLogger.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+
+#include <cstdlib>
+#include <iostream>
+
+using namespace FilterTesting;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace
+{
+/// Errors of objects that are no filter of ours: something was handed to VTK that it cannot take.
+class Strangers : public vtkOutputWindow
+{
+public:
+  static Strangers* New();
+  vtkTypeMacro(Strangers, vtkOutputWindow);
+  void DisplayText(const char*) override {}
+  void DisplayErrorText(const char* text) override { this->Errors.emplace_back(text); }
+
+  std::vector<std::string> Errors;
+};
+vtkStandardNewMacro(Strangers);
+
+Strangers* Others()
+{
+  static const vtkSmartPointer<Strangers> window = []
+  {
+    auto made = vtkSmartPointer<Strangers>::New();
+    vtkOutputWindow::SetInstance(made);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+    return made;
+  }();
+  return window;
+}
+
+void Demand(bool good, const char* what, vtkObject* about, const std::string& more = "")
+{
+  if (!good)
+  {
+    std::cerr << "VIOLATED: " << what << more << "\n";
+    about->Print(std::cerr);
+    std::abort();
+  }
+}
+
+struct Subject
+{
+  vtkSmartPointer<vtkPolyDataAlgorithm> Filter;
+  bool Deforms = true; ///< output 0 is the input with other points
+  bool Repeats = true; ///< it does not go on from the last result
+};
+
+constexpr int Enough = 8; // values of an enumeration; the setters clamp
+
+template <typename Filter>
+void SetLoop(Bytes& bytes, Filter* f)
+{
+  constexpr double tolerances[] = { 1e-5, 1e-14, 1e-9, 0.5, 2.0 };
+  f->SetTolerance(tolerances[bytes.Below(5)]);
+  f->SetStopRule(bytes.Below(Enough));
+  f->SetMaximumNumberOfIterations(bytes.Below(7));
+  f->SetAcceleration(bytes.Flag());
+  f->SetOutputPointsPrecision(bytes.Below(Enough));
+  f->SetGenerateNormals(bytes.Flag());
+  f->SetNumberOfThreads(1 + bytes.Below(2));
+}
+
+template <typename Filter>
+void SetSphere(Bytes& bytes, Filter* f)
+{
+  f->SetCenterMode(bytes.Below(Enough));
+  f->SetRadiusMode(bytes.Below(Enough));
+  if (bytes.Flag())
+  {
+    const double x = bytes.Any();
+    const double y = bytes.Any();
+    f->SetCenter(x, y, bytes.Any());
+    f->SetRadius(bytes.Any());
+  }
+}
+
+void SetArrays(Bytes& bytes, vtkAlgorithm* f, int last)
+{
+  for (int index = 0; index <= last; ++index)
+  {
+    const int kind = bytes.Below(8);
+    if (kind < 3)
+    {
+      f->SetInputArrayToProcess(index, 0, 0, kind == 1 ? OfCells : OfPoints, ArrayName(bytes));
+    }
+  }
+}
+
+Subject MakeSphericalStyle(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkSphericalStyleFilter>::New();
+  SetLoop(bytes, f.Get());
+  SetSphere(bytes, f.Get());
+  constexpr double roundness[] = { 1.0, 0.0, 0.1, 5.0, 50.0 };
+  f->SetRoundness(bytes.Flag() ? bytes.Any() : roundness[bytes.Below(5)]);
+  f->SetFeature(bytes.Below(4) == 1);
+  f->SetCenterConstraint(bytes.Below(Enough));
+  f->SetNormalBlend(bytes.Share());
+  f->SetDetailSize(bytes.Flag() ? 0.2 * bytes.Share() : 0.0);
+  f->SetSphereOf(bytes.Below(Enough));
+  f->SetBorderWidth(bytes.Share());
+  f->SetCenterBlendWidth(bytes.Share());
+  f->SetSphericalWeighting(bytes.Below(2));
+  f->SetConcaveEdges(bytes.Below(2));
+  f->SetEdgeWeighting(bytes.Below(2));
+  f->SetAnchor(bytes.Below(2));
+  f->SetComponentCoupling(bytes.Below(2));
+  f->SetWeldCoincidentPoints(bytes.Below(4) != 1);
+  f->SetInitialGuess(bytes.Below(4) == 1);
+  f->SetTimeBudget(bytes.Below(8) == 1 ? bytes.Any() : 0.0);
+  f->SetRefineLongEdges(bytes.Below(4) == 1);
+  f->SetMaximumEdgeLength(0.1 + bytes.Share());
+  f->SetReproduceThesis(bytes.Below(8) == 1);
+#ifdef SPHERICALSTYLE_WITH_CGAL
+  f->SetAvoidSelfIntersections(bytes.Below(4) == 1);
+#else
+  bytes.Byte();
+#endif
+  const int arrays = bytes.Byte();
+  f->SetGenerateTargetDirection(arrays & 1);
+  f->SetGenerateDisplacement(arrays & 2);
+  f->SetGenerateCellEnergy(arrays & 4);
+  f->SetGenerateRotation(arrays & 8);
+  f->SetGenerateAuxiliaryScale(arrays & 16);
+  SetArrays(bytes, f, 5);
+  const int ports = bytes.Below(16);
+  if (ports == 1 || ports == 2)
+  {
+    f->SetCentersData(SurfaceFromBytes(bytes));
+  }
+  if (ports == 2 || ports == 3)
+  {
+    f->SetSelectionData(SelectionFromBytes(bytes));
+  }
+  return { f, !f->GetRefineLongEdges() || f->GetReproduceThesis(),
+    f->GetInitialGuess() == vtkSphericalStyleFilter::BLEND && f->GetTimeBudget() == 0.0 };
+}
+
+Subject MakeCubicStyle(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkCubicStyleFilter>::New();
+  SetLoop(bytes, f.Get());
+  f->SetCubeness(bytes.Any());
+  return { f };
+}
+
+Subject MakeNormalAnalogy(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkNormalAnalogyFilter>::New();
+  SetLoop(bytes, f.Get());
+  f->SetWeight(bytes.Any());
+  f->SetStyle(bytes.Below(Enough));
+  f->SetGenerateTargetNormal(bytes.Flag());
+  if (f->GetStyle() == vtkNormalAnalogyFilter::MESH)
+  {
+    f->SetStyleMeshData(SurfaceFromBytes(bytes));
+  }
+  return { f };
+}
+
+Subject MakeSphereProjection(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkSphereProjectionFilter>::New();
+  SetSphere(bytes, f.Get());
+  f->SetCoefficient(bytes.Share());
+  f->SetOutputPointsPrecision(bytes.Below(Enough));
+  f->SetGenerateNormals(bytes.Flag());
+  return { f };
+}
+
+Subject MakeGaussMap(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkGaussMapFilter>::New();
+  f->SetNormalSource(bytes.Below(2));
+  f->SetAreaWeighted(bytes.Flag());
+  f->SetOftenThreshold(bytes.Any());
+  f->SetNumberOfEqualAreaUnits(bytes.Byte());
+  f->SetSphereUnits(bytes.Below(2));
+  SetArrays(bytes, f, 0);
+  return { f, false };
+}
+
+Subject MakeMetrics(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkSurfaceMetrics>::New();
+  f->SetCenterMode(bytes.Below(Enough));
+  f->SetRoundness(bytes.Any());
+  f->SetEstimateCondition(bytes.Below(4) == 1);
+  f->SetMeasureThickness(bytes.Flag());
+  f->SetWeldCoincidentPoints(bytes.Below(4) != 1);
+#ifdef SPHERICALSTYLE_WITH_CGAL
+  f->SetFindSelfIntersections(bytes.Below(4) == 1);
+#else
+  bytes.Byte();
+#endif
+  if (bytes.Flag())
+  {
+    f->SetReferenceData(SurfaceFromBytes(bytes));
+  }
+  return { f, false };
+}
+
+Subject MakeDiagnostics(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkSurfaceDiagnostics>::New();
+  f->SetSliverAngle(bytes.Any());
+  f->SetWeldCoincidentPoints(bytes.Flag());
+  return { f, false };
+}
+
+#ifdef SPHERICALSTYLE_WITH_CGAL
+Subject MakeConvexProxy(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkConvexProxyDeformFilter>::New();
+  SetSphere(bytes, f.Get());
+  f->SetProxyMesher(bytes.Below(Enough));
+  f->SetHullOf(bytes.Below(2));
+  f->SetNumberOfProxyPoints(4 + bytes.Below(60));
+  f->SetSeed(bytes.Byte());
+  f->SetRoundness(bytes.Flag() ? bytes.Any() : bytes.Share());
+  f->SetSphericalWeighting(bytes.Below(2));
+  f->SetProjection(bytes.Below(Enough));
+  f->SetNumberOfNeighbors(bytes.Byte());
+  f->SetBlendFunction(bytes.Below(Enough));
+  f->SetBlend(bytes.Share());
+  if (bytes.Flag())
+  {
+    const double x = bytes.Any();
+    const double y = bytes.Any();
+    f->SetBlendAxis(x, y, bytes.Any());
+    const double from = bytes.Any();
+    f->SetBlendRange(from, bytes.Any());
+    f->SetTanhSteepness(bytes.Any());
+    const double gain = bytes.Any();
+    f->SetAxisGain(gain, bytes.Any(), 1.0);
+  }
+  f->SetBlendAtStart(bytes.Share());
+  f->SetBlendAtEnd(bytes.Share());
+  f->SetBorderWidth(bytes.Share());
+  f->SetTransfer(bytes.Below(2));
+  f->SetOutputPointsPrecision(bytes.Below(Enough));
+  f->SetGenerateNormals(bytes.Flag());
+  f->SetGenerateProjectionArrays(bytes.Flag());
+  SetArrays(bytes, f, 3);
+  const int ports = bytes.Below(8);
+  if (ports == 1 || ports == 2)
+  {
+    f->SetProxyData(SurfaceFromBytes(bytes));
+  }
+  if (ports == 2 || ports == 3)
+  {
+    f->SetSelectionData(SelectionFromBytes(bytes));
+  }
+  return { f };
+}
+#endif
+
+Subject SubjectFromBytes(Bytes& bytes)
+{
+  switch (bytes.Below(16))
+  {
+    case 0:
+      return MakeCubicStyle(bytes);
+    case 1:
+      return MakeNormalAnalogy(bytes);
+    case 2:
+      return MakeSphereProjection(bytes);
+    case 3:
+      return MakeGaussMap(bytes);
+    case 4:
+      return MakeMetrics(bytes);
+    case 5:
+      return MakeDiagnostics(bytes);
+#ifdef SPHERICALSTYLE_WITH_CGAL
+    case 6:
+    case 7:
+    case 8:
+    case 9:
+      return MakeConvexProxy(bytes);
+#endif
+    default:
+      return MakeSphericalStyle(bytes);
+  }
+}
+
+bool FinitePoints(vtkPolyData* surface)
+{
+  return surface->GetNumberOfPoints() == 0 || AllFinite(surface->GetPoints()->GetData());
+}
+
+/// Whether the arrays that are not of the input are finite.
+bool FiniteNewArrays(vtkFieldData* before, vtkFieldData* after)
+{
+  bool all = true;
+  for (int i = 0; i < after->GetNumberOfArrays(); ++i)
+  {
+    auto* array = vtkArrayDownCast<vtkDataArray>(after->GetAbstractArray(i));
+    const bool isNew = array && before->GetAbstractArray(array->GetName()) != array;
+    all &= !isNew || AllFinite(array);
+  }
+  return all;
+}
+
+/// What differs between two surfaces, nothing if they are the same to the bit.
+std::string Difference(vtkPolyData* a, vtkPolyData* b)
+{
+  std::string all =
+    SamePoints(a, b) ? "" : " points by " + vtkVariant(LargestDistance(a, b)).ToString();
+  for (const auto& [x, y] :
+    { std::pair<vtkFieldData*, vtkFieldData*>(a->GetPointData(), b->GetPointData()),
+      std::pair<vtkFieldData*, vtkFieldData*>(a->GetCellData(), b->GetCellData()) })
+  {
+    for (int i = 0; i < std::min(x->GetNumberOfArrays(), y->GetNumberOfArrays()); ++i)
+    {
+      if (!SameArray(x->GetAbstractArray(i), y->GetAbstractArray(i)))
+      {
+        all += std::string(" ") + x->GetAbstractArray(i)->GetName();
+      }
+    }
+  }
+  return all.empty() && !SamePolyData(a, b) ? " number of arrays, cells or attributes" : all;
+}
+
+struct Messages
+{
+  std::vector<std::string> Errors, Warnings, OfExecutive;
+};
+
+/// What was said, without the file, the line and the address that VTK begins with.
+std::string Said(const std::vector<std::string>& messages)
+{
+  std::string all;
+  for (const std::string& message : messages)
+  {
+    all += message.substr(message.find("): ") + 1);
+  }
+  return all;
+}
+
+/// Runs the filter and looks at what comes out of it.
+Messages RunAndCheck(const Subject& subject, vtkPolyData* input)
+{
+  Messages messages;
+  vtkPolyDataAlgorithm* filter = subject.Filter;
+  filter->RemoveAllObservers(); // of NoteBlocks too: blocks are no part of this
+  filter->GetExecutive()->RemoveAllObservers();
+  Watch(filter, vtkCommand::ErrorEvent, messages.Errors);
+  Watch(filter, vtkCommand::WarningEvent, messages.Warnings);
+  Watch(filter->GetExecutive(), vtkCommand::ErrorEvent, messages.OfExecutive);
+  const auto before = Surface::New();
+  before->DeepCopy(input);
+  Others()->Errors.clear();
+  filter->SetInputData(input);
+  filter->Modified(); // the input may have changed without a word
+  filter->Update();
+  filter->RemoveAllObservers(); // they write to what is ours
+  filter->GetExecutive()->RemoveAllObservers();
+
+  vtkPolyData* output = filter->GetOutput();
+  Demand(SamePolyData(before, input), "the input is unchanged", filter);
+  Demand(Others()->Errors.empty(), "no other object complains", filter, Joined(Others()->Errors));
+  Demand(messages.Errors.size() < 2, "one error at most", filter, Joined(messages.Errors));
+  if (!messages.Errors.empty())
+  {
+    Demand(output->GetNumberOfPoints() == 0 && output->GetNumberOfCells() == 0,
+      "no output with an error", filter, Joined(messages.Errors));
+    return messages;
+  }
+  Demand(messages.OfExecutive.empty(), "no failure without an error", filter);
+  Demand(FinitePoints(output) || !FinitePoints(input), "points are finite", filter);
+  if (subject.Deforms)
+  {
+    const vtkIdType n = input->GetNumberOfPoints();
+    Demand(output->GetNumberOfPoints() == n, "all points", filter);
+    Demand(n == 0 || SameCells(input, output), "all cells", filter);
+    Demand(FiniteNewArrays(input->GetPointData(), output->GetPointData()) &&
+        FiniteNewArrays(input->GetCellData(), output->GetCellData()),
+      "new arrays are finite", filter);
+  }
+  return messages;
+}
+}
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  Others();
+  Bytes bytes(data, size);
+  const bool again = bytes.Flag();
+  Bytes same = bytes; // for a second filter like the first
+  const Subject kept = SubjectFromBytes(bytes);
+  const Surface input = SurfaceFromBytes(bytes);
+  RunAndCheck(kept, input);
+  if (!again || input->GetNumberOfPoints() == 0)
+  {
+    return 0;
+  }
+  const vtkIdType moved = bytes.Byte() % input->GetNumberOfPoints();
+  input->GetPoints()->GetData()->SetComponent(moved, bytes.Below(3), bytes.Small());
+  const Messages ofKept = RunAndCheck(kept, input);
+  const Subject fresh = SubjectFromBytes(same);
+  const Messages ofFresh = RunAndCheck(fresh, input);
+  if (kept.Repeats)
+  {
+    vtkPolyData* a = kept.Filter->GetOutput();
+    vtkPolyData* b = fresh.Filter->GetOutput();
+    const std::string saidByKept = Said(ofKept.Errors) + Said(ofKept.Warnings);
+    const std::string saidByFresh = Said(ofFresh.Errors) + Said(ofFresh.Warnings);
+    Demand(saidByKept == saidByFresh, "a filter that has run says what a new one says", kept.Filter,
+      saidByKept + "and not" + saidByFresh);
+    const std::string difference = Difference(a, b);
+    Demand(difference.empty(), "a filter that has run gives what a new one gives, but for",
+      kept.Filter, difference);
+  }
+  return 0;
+}
