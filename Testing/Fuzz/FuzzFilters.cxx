@@ -314,14 +314,17 @@ bool FinitePoints(vtkPolyData* surface)
   return surface->GetNumberOfPoints() == 0 || AllFinite(surface->GetPoints()->GetData());
 }
 
-/// Whether the arrays that are not of the input are finite.
+/// Whether the arrays that are not of the input are finite. Normals of the input that are not may
+/// stay where nothing moves.
 bool FiniteNewArrays(vtkFieldData* before, vtkFieldData* after)
 {
   bool all = true;
   for (int i = 0; i < after->GetNumberOfArrays(); ++i)
   {
     auto* array = vtkArrayDownCast<vtkDataArray>(after->GetAbstractArray(i));
-    const bool isNew = array && before->GetAbstractArray(array->GetName()) != array;
+    auto* given =
+      array ? vtkArrayDownCast<vtkDataArray>(before->GetAbstractArray(array->GetName())) : nullptr;
+    const bool isNew = array && given != array && (!given || AllFinite(given));
     all &= !isNew || AllFinite(array);
   }
   return all;
