@@ -627,6 +627,11 @@ const char* vtkSphericalStyleFilter::GetAdvice()
   return this->AdviceTime.GetMTime() > this->GetMTime() ? this->Advice.c_str() : "";
 }
 
+void vtkSphericalStyleFilter::ReleaseCache()
+{
+  this->Internal = std::make_unique<Internals>();
+}
+
 const char* vtkSphericalStyleFilter::GetCenterPosition()
 {
   const bool custom = this->CenterMode == CUSTOM_CENTER;
@@ -665,7 +670,7 @@ int vtkSphericalStyleFilter::RequestWholeData(
 {
   return RunGuarded(
     this, outputVector, [&] { return this->Execute(inputVector, outputVector); },
-    [this] { this->Internal = std::make_unique<Internals>(); });
+    [this] { this->ReleaseCache(); });
 }
 
 int vtkSphericalStyleFilter::Execute(

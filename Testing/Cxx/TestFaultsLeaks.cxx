@@ -132,11 +132,37 @@ void DoesNotGrow(Checker& check, const Subject& subject, Execution execution, bo
   }
   check(false, "each execution takes bytes: " + Text(growth / executionsAtOnce));
 }
+
+/// ReleaseCache gives back what an execution keeps, and nothing else changes.
+void ReleasesItsCache(Checker& check)
+{
+  check.About("ReleaseCache");
+  const Surface input = MakeBumpyBall(64, 33);
+  vtkNew<vtkSphericalStyleFilter> filter;
+  filter->SetInputData(input);
+  filter->SetDetailSize(0.05);
+  filter->Update();
+  const auto first = AllOutputs(filter);
+  const std::size_t before = BytesInUse();
+  filter->ReleaseCache();
+  [[maybe_unused]] const auto freed = static_cast<std::ptrdiff_t>(before - BytesInUse());
+#ifdef COUNTS_BYTES
+  const auto points = static_cast<std::ptrdiff_t>(input->GetNumberOfPoints());
+  check(
+    freed > 500 * points, "it should free more than " + Text(freed / points) + " bytes a point");
+#endif
+  check(SameOutputs(AllOutputs(filter), first), "outputs should stay");
+  check(std::string(filter->GetCenterPosition()).empty(), "the model should be gone");
+  filter->Modified();
+  filter->Update();
+  check(SameOutputs(AllOutputs(filter), first), "the next execution should give the same bits");
+}
 }
 
 int TestFaultsLeaks(int, char*[])
 {
   Checker check;
+  ReleasesItsCache(check);
   for (const Subject& subject : Subjects())
   {
     check.About(subject.name);
