@@ -103,8 +103,9 @@ take_test_options()
 # The last step of a script that tests, and what came of it.
 run_tests()
 {
+  # Two at once: the tests use threads of their own.
   step "Testing" test.log \
-    ctest --test-dir "$build" --output-on-failure --no-tests=error "${ctest_options[@]}"
+    ctest --test-dir "$build" --output-on-failure --no-tests=error --parallel 2 "${ctest_options[@]}"
   local skipped
   skipped=$(grep -c '[*][*][*]Skipped' "$build/test.log") || true
   echo "$(grep 'tests passed' "$build/test.log"), $skipped skipped, in $(minutes), logs: $build/*.log"
