@@ -125,7 +125,8 @@ step "Building" build.log cmake --build "$build"
 step "Making the packages" cpack.log make_packages
 step "Making a Debian" debian.log make_debian
 step "Installing what sphericalstyle depends on" depends.log \
-  install_depends "$(field sphericalstyle Depends)" xvfb xauth libgl1-mesa-dri libqt5svg5
+  install_depends "$(field sphericalstyle Depends)" "$(field sphericalstyle Recommends)" \
+  xvfb xauth libgl1-mesa-dri libqt5svg5
 step "Installing sphericalstyle" install.log install_packages sphericalstyle
 step "Using it in ParaView and Python" use.log try_paraview
 step "Removing it" remove.log remove_packages sphericalstyle

@@ -55,6 +55,7 @@ set(dev_depends "sphericalstyle (= ${PROJECT_VERSION})")
 if (SPHERICALSTYLE_WITH_PARAVIEW)
   set(range "(>= ${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}), PACKAGE (<< ${ParaView_VERSION_MAJOR}.${paraview_next_minor}~)")
   string(REPLACE PACKAGE python3-paraview run_depends "python3-paraview ${range}")
+  set(CPACK_DEBIAN_RUN_PACKAGE_RECOMMENDS libqt5sql5-sqlite) # ParaView's help is empty without
   string(REPLACE PACKAGE paraview-dev paraview_dev "paraview-dev ${range}")
   # VTK's package for CMake looks for MPI, and for these in a program that renders.
   set(dev_depends "${dev_depends}, ${paraview_dev}, libopenmpi-dev")
