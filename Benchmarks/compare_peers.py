@@ -257,12 +257,12 @@ def report(options, results):
 
 def plot(summary, path):
     families = list(dict.fromkeys(family for family, _, _ in summary))
-    figure, axes = pyplot.subplots(2, len(families), figsize=(5.5 * len(families), 8),
-                                   squeeze=False, sharex=True, sharey="row")
+    figure, axes = pyplot.subplots(len(families), 2, figsize=(11, 0.8 + 4.2 * len(families)),
+                                   squeeze=False, sharex=True, sharey="col")
     quantities = [("total s", lambda r: r["total_seconds"]),
                   ("peak MB", lambda r: r["peak_megabytes"])]
-    for column, family in enumerate(families):
-        for row, (title, value) in enumerate(quantities):
+    for row, family in enumerate(families):
+        for column, (title, value) in enumerate(quantities):
             axis = axes[row][column]
             for index, (method, (label, _, _)) in enumerate(METHODS.items()):
                 points = [(p, value(r)) for (f, p, m), r in summary.items()
@@ -271,13 +271,11 @@ def plot(summary, path):
                     axis.loglog(*zip(*points), "s--" if method in PEERS else "o-",
                                 color=f"C{index}", label=label)
             axis.grid(True, which="both", alpha=0.3)
-            axis.set_ylabel(title)
-            if row == 0:
-                axis.set_title(family)
-            else:
+            axis.set_title(f"{family}: {title}")
+            if row + 1 == len(families):
                 axis.set_xlabel("points")
     figure.legend(*axes[0][0].get_legend_handles_labels(), loc="lower center", ncol=4, fontsize=9)
-    figure.tight_layout(rect=(0, 0.06, 1, 1))
+    figure.tight_layout(rect=(0, 0.5 / figure.get_figheight(), 1, 1))
     figure.savefig(path, dpi=110)
     pyplot.close(figure)
 
