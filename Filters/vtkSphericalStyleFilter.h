@@ -622,7 +622,7 @@ public:
 
   /**
    * Frees what is kept to make the next execution quick: the factor, the base and the last result
-   * of the solver, and the model as it solves it; about 0.4 kB a point without details, 2 kB with
+   * of the solver, and the model as it solves it; about 0.7 kB a point without details, 2.5 kB with
    * them. Outputs stay. The next execution takes as long as the first, and does not start from the
    * last result.
    */
