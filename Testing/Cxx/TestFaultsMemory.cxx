@@ -70,10 +70,12 @@ int RunShort(const Subject& subject, vtkPolyData* input, rlim_t more)
   fresh->Update();
   const auto expected = AllOutputs(fresh);
 
+  // VTK's own threads have stacks, and the system has words of its own when it cannot give them.
   const bool said = std::any_of(refused.begin(), refused.end(),
-    [](const std::string& error) { return Contains(error, "memory"); });
+    [](const std::string& error)
+    { return Contains(error, "memory") || Contains(error, "Resource temporarily unavailable"); });
   check(refused.empty() || (said && empty),
-    "there should be an error that names the memory and no output" + Joined(refused));
+    "there should be an error that names what is short and no output" + Joined(refused));
   check(!refused.empty() || SameOutputs(result, expected),
     "without an error it should be the whole result");
   check(errors.empty() && SameOutputs(again, expected),
