@@ -63,6 +63,59 @@ StyleEnergy::StyleEnergy(const MeshTopology& topology, EdgeWeights weights, Half
     });
 }
 
+namespace
+{
+/// What the sums of fixed targets read.
+struct FixedArrays
+{
+  const int* F;
+  const int* cornerOffset; // by point
+  const int* corners;
+  HalfEdgeField::Reader delta;
+  HalfEdgeField::Reader f;
+  const double* l; // three for each triangle
+};
+
+/// For the points begin..end-1: sum_{f at y} sum_h l delta f^T, and what 3 l f adds to b.
+SPHERICALSTYLE_PER_INSTRUCTION_SET
+void SumFixedTargets(const FixedArrays& a, int begin, int end, double* covariances, double* pulls)
+{
+  for (int y = begin; y < end; ++y)
+  {
+    Vector4 columns[3] = {};
+    Vector4 pull = {};
+    for (int at = a.cornerOffset[y]; at < a.cornerOffset[y + 1]; ++at)
+    {
+      const int t = a.corners[at] / 3;
+      const int k = a.corners[at] % 3;
+      const int* corner = a.F + 3 * static_cast<std::ptrdiff_t>(t);
+      Vector4 delta[3];
+      Vector4 f[3];
+      a.delta.Read(corner, t, delta);
+      a.f.Read(corner, t, f);
+      for (int h = 0; h < 3; ++h)
+      {
+        f[h] *= a.l[3 * static_cast<std::ptrdiff_t>(t) + h];
+        for (int c = 0; c < 3; ++c)
+        {
+          columns[c] += delta[h] * f[h][c];
+        }
+      }
+      // Corner k starts half-edge k + 2 and ends half-edge k + 1.
+      pull += 3.0 * (f[(k + 2) % 3] - f[(k + 1) % 3]);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        covariances[9 * static_cast<std::ptrdiff_t>(y) + 3 * c + k] = columns[c][k];
+      }
+      pulls[3 * static_cast<std::ptrdiff_t>(y) + k] = pull[k];
+    }
+  }
+}
+}
+
 void StyleEnergy::PrepareSteps(const CellPattern& pattern, CellPulls pulls)
 {
   const Triangles& F = this->Topology->GetTriangles();
@@ -85,28 +138,13 @@ void StyleEnergy::PrepareSteps(const CellPattern& pattern, CellPulls pulls)
   const int n = this->Topology->GetNumberOfPoints();
   this->FixedCovariances.resize(9 * static_cast<std::size_t>(n));
   this->FixedPulls.resize(n, 3);
+  using Reader = HalfEdgeField::Reader;
+  const FixedArrays arrays = { F.data(), this->Topology->GetCornerOffset().data(),
+    this->Topology->GetCorners().data(), Reader(this->TurningTargets), Reader(this->FixedTargets),
+    this->Weights.l.data() };
   ParallelFor(n, this->Threads,
-    [&](int begin, int end)
-    {
-      for (int y = begin; y < end; ++y)
-      {
-        Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-        Eigen::Vector3d fixed = Eigen::Vector3d::Zero();
-        for (int at = this->Topology->GetCornerOffset()[y];
-             at < this->Topology->GetCornerOffset()[y + 1]; ++at)
-        {
-          const int t = this->Topology->GetCorners()[at] / 3;
-          const int k = this->Topology->GetCorners()[at] % 3;
-          const Eigen::Matrix3d weighted =
-            this->FixedTargets.Of(F, t) * this->Weights.l.row(t).asDiagonal();
-          covariance += this->TurningTargets.Of(F, t) * weighted.transpose();
-          // Corner k starts half-edge k + 2 and ends half-edge k + 1.
-          fixed += 3.0 * (weighted.col((k + 2) % 3) - weighted.col((k + 1) % 3));
-        }
-        Eigen::Map<Eigen::Matrix3d>(&this->FixedCovariances[9 * static_cast<std::size_t>(y)]) =
-          covariance;
-        this->FixedPulls.row(y) = fixed;
-      }
+    [&](int begin, int end) {
+      SumFixedTargets(arrays, begin, end, this->FixedCovariances.data(), this->FixedPulls.data());
     });
 }
 

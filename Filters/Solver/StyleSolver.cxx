@@ -6,10 +6,14 @@
 #include "Parallel.h"
 #include "SolverMesh.h"
 #include "Stopwatch.h"
+#include "StyleSteps.h"
 #include "SurfaceMeasures.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -87,106 +91,6 @@ void CheckOptions(const StyleOptions& o, int n)
   Require(
     o.centerBlend >= 0.0 && std::isfinite(o.centerBlend), "the center blend must be 0 or more");
 }
-
-/// Lets LocalGlobal run the two steps of StyleEnergy, with a further term in the local one or
-/// nullptr.
-class LinearFeature : public TwoStepEnergy
-{
-public:
-  LinearFeature(StyleEnergy& energy, GlobalStep& global, Matrices& R, const Points& P,
-    const Eigen::VectorXd& areas, const Points& restMeans, Anchor anchor, LocalTerm* term)
-    : Energy(energy)
-    , Global(global)
-    , R(R)
-    , P(P)
-    , Areas(areas)
-    , RestMeans(restMeans)
-    , Anchored(anchor)
-    , Term(term)
-  {
-  }
-
-  double FitLocal(const Points& Q) override
-  {
-    if (!this->Term)
-    {
-      return this->Energy.FitRotations(Q, this->R);
-    }
-    this->Energy.Covariances(Q, this->S);
-    return this->Term->Fit(this->S, this->R, this->Energy.GetThreads());
-  }
-
-  void SolveGlobal(Points& Q) override
-  {
-    this->Energy.RightHandSide(this->R, this->B);
-    this->Global.Solve(this->B, Q, this->Energy.GetThreads());
-    this->MoveComponents(Q);
-  }
-
-  EnergyTerms Evaluate(const Points& Q) const override
-  {
-    EnergyTerms terms = this->Energy.Evaluate(Q, this->R);
-    terms.spherical += this->Term ? this->Term->Evaluate(this->R) : 0.0;
-    return terms;
-  }
-
-  /// Takes other rotations, and Q by a global step with them, if that is lower than what there is.
-  void StartFrom(Matrices other, Points& Q)
-  {
-    const double before = this->Evaluate(Q).Total();
-    Points moved = Q;
-    this->R.swap(other);
-    this->SolveGlobal(moved);
-    if (this->Evaluate(moved).Total() < before)
-    {
-      Q.swap(moved);
-    }
-    else
-    {
-      this->R.swap(other);
-    }
-  }
-
-  /// Puts the anchor of every component back where it was; components with a fixed point stay.
-  void MoveComponents(Points& Q) const
-  {
-    const MeshTopology& topology = this->Energy.GetTopology();
-    Points move;
-    if (this->Anchored == Anchor::Centroid)
-    {
-      move = this->RestMeans - topology.ComponentMeans(Q, this->Areas);
-    }
-    else
-    {
-      const std::vector<int>& last = topology.GetLastPoints();
-      move = this->P(last, Eigen::all) - Q(last, Eigen::all);
-    }
-    for (Eigen::Index c = 0; c < move.rows(); ++c)
-    {
-      if (this->Global.GetComponentIsPinned()[c])
-      {
-        move.row(c).setZero();
-      }
-    }
-    const std::vector<int>& component = topology.GetComponents();
-    for (Eigen::Index i = 0; i < Q.rows(); ++i)
-    {
-      Q.row(i) += move.row(component[i]);
-    }
-  }
-
-private:
-  StyleEnergy& Energy;
-  GlobalStep& Global;
-  Matrices& R;
-  const Points& P;
-  const Eigen::VectorXd& Areas;
-  const Points& RestMeans;
-  Anchor Anchored;
-  LocalTerm* Term;
-  Matrices S;
-  Points B;
-};
 }
 
 //------------------------------------------------------------------------------------------------
@@ -222,7 +126,10 @@ public:
   Points Q; // in the frame
   Points Positions;
   Matrices R;
-  bool HasResult = false; // R is where a solve for these points and triangles ended
+  bool HasResult = false;      // R is where a solve for these points and triangles ended
+  double LastRestEnergy = 0.0; // E_0 of that solve
+  double LastEnergy = 0.0;     // E where it ended
+  double BlendGap = 0.0;       // of the blend, when that was last looked at
 
   /// The triangles of the energy. Areas, normals and spheres are those of the surface.
   const EnergyTriangles& Summed() const
@@ -246,7 +153,9 @@ public:
   void PrepareSteps(StyleReport& report);
   void FactorGlobal(const EdgeWeights& w, int threads, StyleReport& report);
   void StartFromRest(const StyleOptions& options);
-  void StartFromBlend(double radius);
+  void StartFromBlend(double radius, Points& Q) const;
+  double EnoughToContinue(double restEnergy) const;
+  void KeepEnergies(const LoopReport& loop, std::optional<double> ofBlend);
   void ToModelUnits(const StyleOptions& options, StyleReport& report);
 };
 
@@ -476,12 +385,35 @@ bool StyleSolver::State::IsClosedForm(const StyleOptions& options, const StyleRe
     options.fixedPoints.empty() && report.spheres.size() == 1;
 }
 
-void StyleSolver::State::StartFromBlend(double radius)
+void StyleSolver::State::StartFromBlend(double radius, Points& Q) const
 {
   const double mu = this->Energy.GetWeights().ratio;
   if (mu > 0.0)
   {
-    this->Q = (this->P + mu * (radius * this->T + this->P - this->Base)) / (1.0 + mu);
+    Q = (this->P + mu * (radius * this->T + this->P - this->Base)) / (1.0 + mu);
+  }
+}
+
+/// What rotations of the last result may lead to for the blend not to be worth looking at: half of
+/// its gap, as long as the options are about what they were.
+double StyleSolver::State::EnoughToContinue(double restEnergy) const
+{
+  if (std::abs(restEnergy - this->LastRestEnergy) > 0.1 * this->LastRestEnergy)
+  {
+    return -std::numeric_limits<double>::infinity();
+  }
+  return this->LastEnergy + 0.5 * this->BlendGap * (restEnergy - this->LastEnergy);
+}
+
+/// @param ofBlend  E of the blend if it was looked at
+void StyleSolver::State::KeepEnergies(const LoopReport& loop, std::optional<double> ofBlend)
+{
+  this->LastRestEnergy = loop.restEnergy;
+  this->LastEnergy = loop.history.back().energy.Total();
+  const double whole = loop.restEnergy - this->LastEnergy;
+  if (ofBlend)
+  {
+    this->BlendGap = whole > 0.0 ? (*ofBlend - this->LastEnergy) / whole : 0.0;
   }
 }
 
@@ -623,8 +555,12 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   {
     last = std::move(s.R);
   }
+  else
+  {
+    s.BlendGap = 0.0;
+  }
   s.StartFromRest(options);
-  LinearFeature problem(
+  StyleSteps problem(
     s.Energy, s.Global, s.R, s.P, s.Areas, s.RestMeans, options.anchor, options.localTerm.get());
   if (options.localTerm)
   {
@@ -661,18 +597,27 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     problem.SolveGlobal(blend);
     restEnergy = std::max(restEnergy, problem.Evaluate(blend).Total());
   }
-  if (closedForm)
+  const auto blend = [&](Points& Q) // [start]
   {
-    s.StartFromBlend(report.sphere.radius);
-    problem.MoveComponents(s.Q);
+    if (closedForm)
+    {
+      s.StartFromBlend(report.sphere.radius, Q);
+      problem.MoveComponents(Q);
+    }
+    else
+    {
+      problem.SolveGlobal(Q);
+    }
+  };
+  std::optional<double> ofBlend; // E
+  const bool fromLast = continues && fromBlend && !report.closedForm;
+  if (fromLast)
+  {
+    ofBlend = problem.StartFrom(std::move(last), s.EnoughToContinue(restEnergy), blend, s.Q);
   }
   else if (fromBlend)
   {
-    problem.SolveGlobal(s.Q); // [start]
-  }
-  if (continues && fromBlend && !report.closedForm)
-  {
-    problem.StartFrom(std::move(last), s.Q);
+    blend(s.Q);
   }
   if (loop.timeBudget > 0.0)
   {
@@ -686,6 +631,11 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     report.loop.history.back().gap = 0.0;
   }
   report.seconds.iterate = iterate.Seconds();
+  if (fromBlend && !fromLast)
+  {
+    ofBlend = report.loop.history.front().energy.Total();
+  }
+  s.KeepEnergies(report.loop, ofBlend);
   s.ToModelUnits(options, report);
   s.HasResult = !report.closedForm && !options.localTerm;
   return report;

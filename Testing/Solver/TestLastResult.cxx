@@ -86,7 +86,10 @@ void TestDragging()
     o.initialGuess = InitialGuess::Blend;
     StyleSolver fresh;
     fresh.SetMesh(mesh);
-    cold += fresh.Solve(o).loop.iterations;
+    const StyleReport blend = fresh.Solve(o);
+    cold += blend.loop.iterations;
+    CHECK(report.loop.history.front().energy.Total() < blend.loop.history.front().energy.Total(),
+      "step " << step << ": the start should lie below the blend");
   }
   std::cout << "10 moved centers: " << warm << " iterations from the last result, " << cold
             << " from the blend" << std::endl;

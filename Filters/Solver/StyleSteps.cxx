@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StyleSteps.h"
+
+#include <utility>
+
+namespace SphericalStyle
+{
+double StyleSteps::FitLocal(const Points& Q)
+{
+  if (!this->Term)
+  {
+    return this->Energy.FitRotations(Q, this->R);
+  }
+  this->Energy.Covariances(Q, this->S);
+  return this->Term->Fit(this->S, this->R, this->Energy.GetThreads());
+}
+
+void StyleSteps::SolveGlobal(Points& Q)
+{
+  this->Energy.RightHandSide(this->R, this->B);
+  this->Global.Solve(this->B, Q, this->Energy.GetThreads());
+  this->MoveComponents(Q);
+}
+
+EnergyTerms StyleSteps::Evaluate(const Points& Q) const
+{
+  EnergyTerms terms = this->Energy.Evaluate(Q, this->R);
+  terms.spherical += this->Term ? this->Term->Evaluate(this->R) : 0.0;
+  return terms;
+}
+
+std::optional<double> StyleSteps::StartFrom(
+  Matrices last, double enough, const std::function<void(Points&)>& blend, Points& Q)
+{
+  Points moved = Q;
+  this->R.swap(last);
+  this->SolveGlobal(moved);
+  const double energy = this->Evaluate(moved).Total();
+  if (energy <= enough)
+  {
+    Q.swap(moved);
+    return {};
+  }
+  this->R.swap(last);
+  blend(Q);
+  const double ofBlend = this->Evaluate(Q).Total();
+  if (energy < ofBlend)
+  {
+    Q.swap(moved);
+    this->R.swap(last);
+  }
+  return ofBlend;
+}
+
+void StyleSteps::MoveComponents(Points& Q) const
+{
+  const MeshTopology& topology = this->Energy.GetTopology();
+  Points move;
+  if (this->Anchored == Anchor::Centroid)
+  {
+    move = this->RestMeans - topology.ComponentMeans(Q, this->Areas);
+  }
+  else
+  {
+    const std::vector<int>& last = topology.GetLastPoints();
+    move = this->P(last, Eigen::all) - Q(last, Eigen::all);
+  }
+  for (Eigen::Index c = 0; c < move.rows(); ++c)
+  {
+    if (this->Global.GetComponentIsPinned()[c])
+    {
+      move.row(c).setZero();
+    }
+  }
+  const std::vector<int>& component = topology.GetComponents();
+  for (Eigen::Index i = 0; i < Q.rows(); ++i)
+  {
+    Q.row(i) += move.row(component[i]);
+  }
+}
+} // namespace SphericalStyle
