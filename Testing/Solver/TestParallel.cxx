@@ -1,16 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Loops on threads: every item once, the same sums for any number of threads, and what a body
-/// throws comes out where the loop was called.
+/// Loops on threads: every item once, the same sums for any number of threads, what a body throws
+/// comes out where the loop was called, and nobody waits for a thread that is busy elsewhere.
 #include "Check.h"
 #include "Parallel.h"
 
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace SphericalStyle;
 
@@ -114,6 +119,95 @@ void CarriesExceptions(int threads)
     });
   CHECK(fromTask == "task 3", threads << " threads: task 3 throws, not " << fromTask);
 }
+
+/// 1 + 2 + ... + n, by a loop of tasks that run loops.
+long long NestedSum(int n, int threads)
+{
+  std::atomic<long long> sum = 0;
+  ParallelTasks(4, threads,
+    [&](int task)
+    {
+      ParallelFor(n / 4, threads,
+        [&](int begin, int end)
+        {
+          long long part = 0;
+          for (int i = begin; i < end; ++i)
+          {
+            part += 4LL * i + task + 1;
+          }
+          sum += part;
+        });
+    });
+  return sum;
+}
+
+void NestedLoopsOfSeveralThreads()
+{
+  constexpr int n = 80000;
+  constexpr long long expected = static_cast<long long>(n) * (n + 1) / 2;
+  std::atomic<int> wrong = 0;
+  std::vector<std::thread> callers;
+  for (int k = 0; k < 4; ++k)
+  {
+    callers.emplace_back(
+      [&wrong, k]
+      {
+        for (int repeat = 0; repeat < 100; ++repeat)
+        {
+          wrong += NestedSum(n, 1 + (k + repeat) % 4) != expected ? 1 : 0;
+        }
+      });
+  }
+  for (std::thread& caller : callers)
+  {
+    caller.join();
+  }
+  CHECK(wrong == 0, wrong << " of 400 sums by nested loops of four threads are wrong");
+}
+
+/// All threads are held up in a loop of another caller: this one must get on without them.
+void WaitsForNobody()
+{
+  std::atomic<int> held = 0;
+  std::atomic<bool> free = false;
+  std::thread other(
+    [&]
+    {
+      ParallelTasks(8, 8,
+        [&](int)
+        {
+          ++held;
+          while (!free)
+          {
+            std::this_thread::yield();
+          }
+        });
+    });
+  while (held < 8)
+  {
+    std::this_thread::yield();
+  }
+  EveryItemOnce(40000, 8);
+  CHECK(!free, "the others are still held up");
+  free = true;
+  other.join();
+}
+
+/// A child has none of its parent's threads, and must neither miss them nor wait for them at exit.
+void WorksAfterFork()
+{
+  constexpr int n = 80000;
+  const long long expected = NestedSum(n, 4);
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    alarm(20); // ends it if it hangs
+    std::exit(NestedSum(n, 4) == expected ? 0 : 1);
+  }
+  int status = -1;
+  CHECK(waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0,
+    "a forked process should run loops and end, its status is " << status);
+}
 }
 
 int main()
@@ -128,5 +222,8 @@ int main()
   }
   SameSums(5000);
   SameSums(40000);
+  NestedLoopsOfSeveralThreads();
+  WaitsForNobody();
+  WorksAfterFork();
   return CheckResult();
 }
