@@ -196,7 +196,7 @@ def check_input(port, name, element):
 
 def check_decorator(name, decorator):
     """One that names what is not there hides the property for good, without a word."""
-    if decorator.get("type") == "UpdateWhileDragging":
+    if decorator.get("type") in ("FitToPanel", "UpdateWhileDragging"):
         return  # of no other property
     if decorator.get("type") == "CompositeDecorator":
         return  # those in it are looked at one by one
@@ -281,6 +281,11 @@ for owner in list(elements.values()) + proxy.findall("PropertyGroup"):
               f"{owner.get('label')}: the model does not follow the handle")
     for decorator in owner.findall("Hints//PropertyWidgetDecorator"):
         check_decorator(owner.get("name") or owner.get("label"), decorator)
+fitted = [e for e in elements.values() if e.find("Hints/PropertyWidgetDecorator[@type='FitToPanel']") is not None]
+check(len(fitted) == 1, f"FitToPanel at {len(fitted)} properties")
+for element in fitted:
+    check(element.get("panel_visibility") != "advanced" and not element.findall(".//*[@mode='visibility']"),
+          f"{element.get('name')}: FitToPanel at a property that is not always shown")
 
 for failure in failures:
     print(failure, file=sys.stderr)

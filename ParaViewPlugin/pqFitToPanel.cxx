@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqFitToPanel.h"
+
+#include "pqDoubleLineEdit.h"
+#include "pqDoubleRangeWidget.h"
+#include "pqProxyWidget.h"
+
+#include <QBoxLayout>
+#include <QEvent>
+#include <QScrollArea>
+
+namespace
+{
+template <class T>
+T* FindAncestor(QWidget* widget)
+{
+  T* ancestor = nullptr;
+  for (; widget && !ancestor; widget = widget->parentWidget())
+  {
+    ancestor = qobject_cast<T*>(widget);
+  }
+  return ancestor;
+}
+
+/// As many digits as there is room for, at most as many as ParaView's settings say. All of them
+/// show while the number is edited.
+void FitDigits(pqDoubleLineEdit* number)
+{
+  const int room = number->width() - 12; // its frame and margins
+  const double value = number->text().toDouble();
+  const auto width = [&](int digits)
+  {
+    return number->fontMetrics().horizontalAdvance(
+      pqDoubleLineEdit::formatDouble(value, pqDoubleLineEdit::globalNotation(), digits));
+  };
+  int digits = pqDoubleLineEdit::globalPrecision();
+  while (digits > 1 && width(digits) > room)
+  {
+    --digits;
+  }
+  number->setNotation(pqDoubleLineEdit::globalNotation());
+  number->setPrecision(digits);
+  number->setUseGlobalPrecisionAndNotation(digits == pqDoubleLineEdit::globalPrecision());
+}
+}
+
+pqFitToPanel::pqFitToPanel(vtkPVXMLElement* xml, pqPropertyWidget* widget)
+  : pqPropertyWidgetDecorator(xml, widget)
+{
+  widget->installEventFilter(this); // the panel around it comes later
+}
+
+bool pqFitToPanel::eventFilter(QObject* watched, QEvent* event)
+{
+  if (watched == this->parentWidget() && event->type() == QEvent::Show)
+  {
+    this->watchPanel();
+    this->fit();
+  }
+  else if (event->type() == QEvent::Resize)
+  {
+    auto* number = qobject_cast<pqDoubleLineEdit*>(watched);
+    number ? FitDigits(number) : this->fit();
+  }
+  return false;
+}
+
+void pqFitToPanel::watchPanel()
+{
+  auto* panel = FindAncestor<QScrollArea>(this->parentWidget());
+  auto* properties = FindAncestor<pqProxyWidget>(this->parentWidget());
+  if (!panel || !panel->widget() || !properties || panel == this->Panel)
+  {
+    return;
+  }
+  this->Panel = panel;
+  this->Properties = properties;
+  panel->viewport()->installEventFilter(this);
+  panel->widget()->installEventFilter(this);
+  for (auto* range : properties->findChildren<pqDoubleRangeWidget*>())
+  {
+    if (auto* layout = qobject_cast<QBoxLayout*>(range->layout()))
+    {
+      layout->setStretch(0, 1); // half for the slider, which had a third
+      layout->setStretch(1, 1);
+    }
+  }
+  for (auto* number : properties->findChildren<pqDoubleLineEdit*>())
+  {
+    number->installEventFilter(this);
+    this->connect(number, &QLineEdit::textChanged, [number] { FitDigits(number); });
+    FitDigits(number);
+  }
+}
+
+void pqFitToPanel::fit()
+{
+  if (!this->Properties || !this->Panel)
+  {
+    return;
+  }
+  QLayout* layout = this->Properties->layout();
+  QMargins margins = layout->contentsMargins();
+  const int hidden = this->Panel->widget()->width() - this->Panel->viewport()->width();
+  // Never so much that the properties themselves would make everything wider.
+  const int spare = this->Properties->width() - (layout->minimumSize().width() - margins.right());
+  margins.setRight(qMax(0, qMin(hidden, spare)));
+  layout->setContentsMargins(margins);
+}
