@@ -6,7 +6,7 @@
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
 #include "pqServerManagerModel.h"
-#include "pqSettings.h"
+#include "pqSettingCheckBox.h"
 #include "pqSpherePropertyWidget.h"
 #include "pqUndoStack.h"
 #include "vtkCommand.h"
@@ -18,13 +18,11 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
-#include <QCheckBox>
 #include <QLabel>
 #include <QVBoxLayout>
 
 namespace
 {
-const char* const Setting = "SphericalStyle/ShowTargetSphere";
 constexpr int Custom = 2; // of CenterMode and of RadiusMode
 }
 
@@ -33,7 +31,7 @@ pqTargetSphereWidget::pqTargetSphereWidget(
   : pqPropertyWidget(smproxy, parentWidget)
   , CenterPosition(smgroup->GetProperty("CenterPosition"))
   , Badge(new QLabel(this))
-  , ShowSphere(new QCheckBox(tr("Show Target Sphere"), this))
+  , ShowSphere(new pqSettingCheckBox("ShowTargetSphere", tr("Show Target Sphere"), this))
 {
   this->setShowLabel(false);
   auto* layout = new QVBoxLayout(this);
@@ -42,13 +40,8 @@ pqTargetSphereWidget::pqTargetSphereWidget(
   layout->addWidget(this->Badge, 0, Qt::AlignLeft);
   this->Badge->setObjectName("CenterPosition");
   this->Badge->setToolTip(pqPropertyWidget::getTooltip(this->CenterPosition));
-  this->ShowSphere->setObjectName("ShowTargetSphere");
   this->ShowSphere->setToolTip(tr("Show the sphere that the model is rounded to, while the filter "
                                   "is selected."));
-  pqSettings* settings = pqApplicationCore::instance()->settings();
-  this->ShowSphere->setChecked(settings->value(Setting, true).toBool());
-  this->connect(this->ShowSphere, &QCheckBox::toggled,
-    [settings](bool checked) { settings->setValue(Setting, checked); });
   this->connect(this->ShowSphere, SIGNAL(toggled(bool)), SLOT(updateSphere()));
 
   this->Timer.setSingleShot(true);
@@ -84,7 +77,7 @@ pqTargetSphereWidget::~pqTargetSphereWidget()
 void pqTargetSphereWidget::select()
 {
   this->pqPropertyWidget::select();
-  this->updateSphere();
+  this->Timer.start(); // which of the widgets beside this one are shown is not settled yet
 }
 
 void pqTargetSphereWidget::deselect()
@@ -102,6 +95,11 @@ void pqTargetSphereWidget::setView(pqView* newView)
     this->addToView(true);
     this->updateSphere();
   }
+}
+
+bool pqTargetSphereWidget::isSphereVisible() const
+{
+  return this->Sphere && vtkSMPropertyHelper(this->Sphere, "Visibility").GetAsInt() != 0;
 }
 
 void pqTargetSphereWidget::refresh()
@@ -177,10 +175,9 @@ void pqTargetSphereWidget::updateSphere()
   {
     return;
   }
-  vtkSMPropertyHelper visibility(this->Sphere, "Visibility");
-  if ((visibility.GetAsInt() != 0) != wanted)
+  if (this->isSphereVisible() != wanted)
   {
-    visibility.Set(wanted);
+    vtkSMPropertyHelper(this->Sphere, "Visibility").Set(wanted);
     this->Sphere->UpdateVTKObjects();
     if (this->view())
     {

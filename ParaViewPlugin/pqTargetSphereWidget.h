@@ -24,14 +24,15 @@
 
 #include <map>
 
-class QCheckBox;
 class QLabel;
 class pqPipelineSource;
+class pqSettingCheckBox;
 class vtkSMPropertyGroup;
 
 class pqTargetSphereWidget : public pqPropertyWidget
 {
   Q_OBJECT
+  Q_PROPERTY(bool sphereVisible READ isSphereVisible) ///< for tests
 
 public:
   pqTargetSphereWidget(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
@@ -40,6 +41,8 @@ public:
   void select() override;
   void deselect() override;
   void setView(pqView* view) override;
+
+  bool isSphereVisible() const;
 
 private Q_SLOTS:
   void refresh();
@@ -55,7 +58,7 @@ private:
 
   vtkSmartPointer<vtkSMProperty> CenterPosition;
   QLabel* Badge;
-  QCheckBox* ShowSphere;
+  pqSettingCheckBox* ShowSphere;
   QTimer Timer;
   std::map<vtkSmartPointer<vtkSMProperty>, unsigned long> Observers;
   vtkSmartPointer<vtkSMProxy> Sphere;

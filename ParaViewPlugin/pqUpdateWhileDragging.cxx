@@ -7,21 +7,18 @@
 #include "pqProxy.h"
 #include "pqProxyWidget.h"
 #include "pqServerManagerModel.h"
-#include "pqSettings.h"
+#include "pqSettingCheckBox.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkPVGeneralSettings.h"
 #include "vtkSMProxy.h"
 #include "vtkSMTrace.h"
 
-#include <QCheckBox>
 #include <QElapsedTimer>
 #include <QGridLayout>
 
 namespace
 {
-const char* const Setting = "SphericalStyle/UpdateWhileDragging";
-
 pqProxyWidget* FindPanel(QWidget* widget)
 {
   pqProxyWidget* panel = nullptr;
@@ -60,15 +57,11 @@ pqUpdateWhileDragging::~pqUpdateWhileDragging()
 
 void pqUpdateWhileDragging::addCheckBox()
 {
-  pqSettings* settings = pqApplicationCore::instance()->settings();
-  this->CheckBox = new QCheckBox(tr("Update While Dragging"), this->parentWidget());
-  this->CheckBox->setObjectName("UpdateWhileDragging");
+  this->CheckBox =
+    new pqSettingCheckBox("UpdateWhileDragging", tr("Update While Dragging"), this->parentWidget());
   this->CheckBox->setToolTip(tr("The model follows while you drag, if an update takes less than "
                                 "%1 s; otherwise when you let go.")
                                .arg(SlowUpdate / 1000.0));
-  this->CheckBox->setChecked(settings->value(Setting, true).toBool());
-  this->connect(this->CheckBox, &QCheckBox::toggled,
-    [settings](bool checked) { settings->setValue(Setting, checked); });
   QLayout* layout = this->parentWidget()->layout();
   if (auto* grid = qobject_cast<QGridLayout*>(layout))
   {

@@ -22,7 +22,7 @@
 
 #include <QTimer>
 
-class QCheckBox;
+class pqSettingCheckBox;
 
 class pqUpdateWhileDragging : public pqPropertyWidgetDecorator
 {
@@ -45,7 +45,7 @@ private:
   bool isWanted() const;
   void close();
 
-  QCheckBox* CheckBox = nullptr;
+  pqSettingCheckBox* CheckBox = nullptr;
   QTimer Timer;
   bool Dragging = false; // and an undo set is open
   int SlowUpdates = 0;   // in a row
