@@ -4,18 +4,23 @@
 
 #include "pqApplicationCore.h"
 #include "pqInteractivePropertyWidgetAbstract.h"
-#include "pqProxy.h"
+#include "pqPipelineSource.h"
 #include "pqProxyWidget.h"
 #include "pqServerManagerModel.h"
 #include "pqSettingCheckBox.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
 #include "vtkPVGeneralSettings.h"
 #include "vtkSMProxy.h"
 #include "vtkSMTrace.h"
 
+#include <QByteArrayList>
 #include <QElapsedTimer>
 #include <QGridLayout>
+
+#include <utility>
 
 namespace
 {
@@ -29,15 +34,61 @@ pqProxyWidget* FindPanel(QWidget* widget)
   return panel;
 }
 
-pqProxy* FindSource(pqPropertyWidget* widget)
+pqPipelineSource* FindSource(pqPropertyWidget* widget)
 {
-  return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqProxy*>(
+  return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
     widget->proxy());
 }
 }
 
+//------------------------------------------------------------------------------------------------
+/// Holds warnings back, and then gives those of the last update. What comes to ParaView's window of
+/// messages comes by here: from filters of this process and from those of a server.
+class pqUpdateWhileDragging::HeldMessages : public vtkOutputWindow
+{
+public:
+  static HeldMessages* New();
+  vtkTypeMacro(HeldMessages, vtkOutputWindow);
+
+  void Hold()
+  {
+    this->Window = vtkOutputWindow::GetInstance();
+    vtkOutputWindow::SetInstance(this);
+  }
+
+  void BeginUpdate() { this->OfThisUpdate.clear(); }
+  void NoteExecution() { this->Last = this->OfThisUpdate; }
+
+  void Give()
+  {
+    vtkOutputWindow::SetInstance(this->Window);
+    for (const QByteArray& warning : std::exchange(this->Last, {}))
+    {
+      this->Window->DisplayWarningText(warning);
+    }
+  }
+
+  void DisplayText(const char* text) override { this->Window->DisplayText(text); }
+  void DisplayErrorText(const char* text) override { this->Window->DisplayErrorText(text); }
+  void DisplayWarningText(const char* text) override { this->OfThisUpdate << text; }
+  void DisplayGenericWarningText(const char* text) override
+  {
+    this->Window->DisplayGenericWarningText(text);
+  }
+  void DisplayDebugText(const char* text) override { this->Window->DisplayDebugText(text); }
+
+private:
+  vtkSmartPointer<vtkOutputWindow> Window;
+  QByteArrayList OfThisUpdate;
+  QByteArrayList Last; // of the last update that there was something to do in
+};
+
+vtkStandardNewMacro(pqUpdateWhileDragging::HeldMessages);
+
+//------------------------------------------------------------------------------------------------
 pqUpdateWhileDragging::pqUpdateWhileDragging(vtkPVXMLElement* xml, pqPropertyWidget* widget)
   : pqPropertyWidgetDecorator(xml, widget)
+  , Messages(vtkSmartPointer<HeldMessages>::New())
 {
   this->Timer.setSingleShot(true);
   this->connect(&this->Timer, SIGNAL(timeout()), SLOT(update()));
@@ -75,7 +126,7 @@ void pqUpdateWhileDragging::addCheckBox()
 
 bool pqUpdateWhileDragging::isWanted() const
 {
-  const pqProxy* source = FindSource(this->parentWidget());
+  const pqPipelineSource* source = FindSource(this->parentWidget());
   return source && source->modifiedState() != pqProxy::UNINITIALIZED &&
     (this->CheckBox ? this->CheckBox->isChecked()
                     : vtkPVGeneralSettings::GetInstance()->GetAutoApply());
@@ -89,6 +140,7 @@ void pqUpdateWhileDragging::start()
   if (this->Dragging)
   {
     BEGIN_UNDO_SET(tr("Drag"));
+    this->Messages->Hold();
   }
 }
 
@@ -125,13 +177,14 @@ void pqUpdateWhileDragging::close()
   {
     this->Dragging = false;
     END_UNDO_SET();
+    this->Messages->Give();
   }
 }
 
 void pqUpdateWhileDragging::update()
 {
   const pqProxyWidget* panel = FindPanel(this->parentWidget());
-  pqProxy* source = FindSource(this->parentWidget());
+  pqPipelineSource* source = FindSource(this->parentWidget());
   pqView* view = this->parentWidget()->view();
   if (!panel || !source || !view)
   {
@@ -139,8 +192,13 @@ void pqUpdateWhileDragging::update()
   }
   QElapsedTimer clock;
   clock.start();
+  this->Messages->BeginUpdate();
+  const auto executed =
+    QObject::connect(source, qOverload<pqPipelineSource*>(&pqPipelineSource::dataUpdated), this,
+      [this] { this->Messages->NoteExecution(); });
   panel->apply();
   source->setModifiedState(pqProxy::UNMODIFIED);
   view->forceRender();
+  this->disconnect(executed);
   this->SlowUpdates = clock.elapsed() > SlowUpdate ? this->SlowUpdates + 1 : 0;
 }

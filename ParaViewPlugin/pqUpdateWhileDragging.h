@@ -10,7 +10,8 @@
 /// An update is an Apply of the filter's own panel and a rendering of the view. It begins when the
 /// mouse events so far are handled, so that updates never queue up behind the mouse, and where one
 /// took longer than SlowUpdate the rest of the drag waits for the release. Undo takes back the
-/// whole drag. While a trace is recorded there is one update, on release.
+/// whole drag. While a trace is recorded there is one update, on release. Warnings come on release,
+/// those of the last update, and not once for each: what is said of shapes in between is no use.
 ///
 /// Widgets in the view get a check box, on by default and kept in ParaView's settings; a slider
 /// follows while Auto Apply is on. Before the first Apply, and where neither says so, all is as
@@ -19,6 +20,7 @@
 #define pqUpdateWhileDragging_h
 
 #include "pqPropertyWidgetDecorator.h"
+#include "vtkSmartPointer.h"
 
 #include <QTimer>
 
@@ -41,6 +43,8 @@ private Q_SLOTS:
   void update();
 
 private:
+  class HeldMessages;
+
   void addCheckBox();
   bool isWanted() const;
   void close();
@@ -49,6 +53,7 @@ private:
   QTimer Timer;
   bool Dragging = false; // and an undo set is open
   int SlowUpdates = 0;   // in a row
+  vtkSmartPointer<HeldMessages> Messages;
 };
 
 #endif

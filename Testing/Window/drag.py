@@ -5,8 +5,8 @@
     xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" python3 Testing/Window/drag.py build MODEL --pictures FOLDER
 
 Prints updates per second; fails if the model does not follow while the button is down, if its center is not where the
-handle was let go at the end, or if one undo does not take back the whole drag. Needs xdotool, which sends the events;
-leaves with 77 without it.
+handle was let go at the end, if there are not as many messages as expected, or if one undo does not take back the
+whole drag. Needs xdotool, which sends the events; leaves with 77 without it.
 """
 import argparse
 import json
@@ -41,6 +41,11 @@ def read(path):
         return []
     with open(path) as file:
         return [json.loads(line) for line in file if line.endswith("\n")]
+
+
+def updates(log, begin=0.0, end=numpy.inf):
+    """The lines of executions; the first line is that of the handle."""
+    return [line for line in read(log) if "center" in line and begin <= line["time"] <= end]
 
 
 def view_corner():
@@ -97,8 +102,10 @@ def main():
     parser.add_argument("build", help="build folder")
     parser.add_argument("model")
     parser.add_argument("--detail-size", type=float, default=0.03)
+    parser.add_argument("--roundness", type=float, default=0.5)
     parser.add_argument("--handle", choices=("cross", "sphere"), default="cross",
                         help="sphere: the radius is custom, too")
+    parser.add_argument("--messages", type=int, default=0, help="that are to come, however many updates there are")
     parser.add_argument("--auto-apply", action="store_true", help="with ParaView's Auto Apply")
     parser.add_argument("--seconds", type=float, default=4.0, help="that the drag takes")
     parser.add_argument("--pictures", help="folder for pictures of the screen")
@@ -112,7 +119,8 @@ def main():
 
     with tempfile.TemporaryDirectory() as folder:
         log = os.path.join(folder, "log")
-        settings = dict(log=log, model=os.path.abspath(options.model), detail_size=options.detail_size,
+        settings = dict(log=log, model=os.path.abspath(options.model),
+                        properties=dict(DetailSize=options.detail_size, Roundness=options.roundness),
                         sphere=options.handle == "sphere", released=PATH[-1], auto_apply=int(options.auto_apply))
         environment = dict(
             os.environ, DRAG=json.dumps(settings), HOME=folder,
@@ -153,7 +161,7 @@ def watch(options, log):
                                 options.pictures or options.strip)
 
     def center_is(center):
-        return lambda: numpy.allclose(read(log)[-1]["center"], center, atol=0.02 * ready["radius"]) or None
+        return lambda: numpy.allclose(updates(log)[-1]["center"], center, atol=0.02 * ready["radius"]) or None
 
     wait_for("the model to be where the handle was let go", center_is(ready["released"]), 20)
     time.sleep(1)  # it may have been there before the button was up
@@ -161,13 +169,19 @@ def watch(options, log):
         save_pictures(pictures + [ImageGrab.grab()], options.pictures)
     if options.strip:
         save_strip(pictures, (x, y), options.strip)
-    during = [line["time"] for line in read(log) if "handle" not in line and begin <= line["time"] <= end]
+    during = [line["time"] for line in updates(log, begin, end)]
     gaps = numpy.diff([begin, *during, end])
     print(f"{os.path.basename(options.model)}: {len(during)} updates in {end - begin:.1f} s, "
           f"{len(during) / (end - begin):.1f} per second, longest pause {1000 * gaps.max():.0f} ms")
 
+    undone = time.time()
     subprocess.run(["xdotool", "key", "ctrl+z"], check=True)
     wait_for("undo of the whole drag", center_is(ready["center"]), 20)
+    messages = [line["message"] for line in read(log) if "message" in line and line["time"] < undone]
+    print(f"messages: {messages}")
+    if len(messages) != options.messages:
+        print(f"FAILED: {len(messages)} messages, and not {options.messages}")
+        return 1
     if len(during) < 2:  # it would be one, after the button, without pqUpdateWhileDragging
         print("FAILED: the model did not follow")
         return 1

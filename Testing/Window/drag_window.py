@@ -1,12 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs in ParaView's window, started by drag.py: rounds a model around a center of its own, and writes a line of
-JSON to a file for each execution and for where the handle is. Settings come in the environment variable DRAG."""
+JSON to a file for each execution, for each message and for where the handle is. Settings come in the environment
+variable DRAG."""
 import json
 import os
 import time
 
 from paraview import servermanager, simple
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 settings = json.loads(os.environ["DRAG"])
 log = open(settings["log"], "w", buffering=1)
@@ -26,7 +30,7 @@ def values(name, size, unchecked=False):
 general = simple.GetSettingsProxy("GeneralSettings")
 general.AutoApply = settings["auto_apply"]
 model = simple.OpenDataFile(settings["model"])
-style = simple.SphericalStyle(Input=model, DetailSize=settings["detail_size"])
+style = simple.SphericalStyle(Input=model, **settings["properties"])
 style.UpdatePipeline()
 style.SMProxy.UpdatePropertyInformation()
 center, radius = values("EffectiveCenter", 3), values("EffectiveRadius", 1)[0]
@@ -73,6 +77,13 @@ def moved_by(right, up):
     return [c + p / point[3] - g for c, p, g in zip(center, point, grabbed)]
 
 
+@calldata_type(VTK_STRING)
+def write_message(_, __, text):
+    write(message=text)
+
+
+for event in ("WarningEvent", "ErrorEvent"):
+    vtkOutputWindow.GetInstance().AddObserver(event, write_message)
 style.SMProxy.AddObserver("UpdateDataEvent", lambda *_: write(center=values("Center", 3)))
 x, y, _ = to_screen(center)
 write(handle=[x, view.ViewSize[1] - y], center=center, radius=radius,
