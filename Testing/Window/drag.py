@@ -12,6 +12,7 @@ import argparse
 import json
 import os
 import shutil
+import signal
 import socket
 import subprocess
 import sys
@@ -106,6 +107,7 @@ def main():
     parser.add_argument("--handle", choices=("cross", "sphere"), default="cross",
                         help="sphere: the radius is custom, too")
     parser.add_argument("--messages", type=int, default=0, help="that are to come, however many updates there are")
+    parser.add_argument("--trace", metavar="PVPYTHON", help="record a trace, and replay it with this program")
     parser.add_argument("--auto-apply", action="store_true", help="with ParaView's Auto Apply")
     parser.add_argument("--seconds", type=float, default=4.0, help="that the drag takes")
     parser.add_argument("--pictures", help="folder for pictures of the screen")
@@ -121,10 +123,11 @@ def main():
         log = os.path.join(folder, "log")
         settings = dict(log=log, model=os.path.abspath(options.model),
                         properties=dict(DetailSize=options.detail_size, Roundness=options.roundness),
-                        sphere=options.handle == "sphere", released=PATH[-1], auto_apply=int(options.auto_apply))
+                        sphere=options.handle == "sphere", released=PATH[-1], auto_apply=int(options.auto_apply),
+                        trace=bool(options.trace))
         environment = dict(
             os.environ, DRAG=json.dumps(settings), HOME=folder,
-            PV_PLUGIN_PATH=os.path.join(os.path.abspath(options.build), "lib", "paraview-5.11", "plugins"))
+            PV_PLUGIN_PATH=plugin_path(options))
         command = [options.paraview, "--dr", f"--script={HERE}/drag_window.py"]
         processes = []
         try:
@@ -136,8 +139,14 @@ def main():
             return watch(options, log)
         finally:
             for process in processes:
+                process.send_signal(signal.SIGSTOP)  # window and server would tell of each other's end as an error
+            for process in processes:
                 process.kill()
                 process.wait()
+
+
+def plugin_path(options):
+    return os.path.join(os.path.abspath(options.build), "lib", "paraview-5.11", "plugins")
 
 
 def start_server(program, environment):
@@ -150,6 +159,34 @@ def start_server(program, environment):
         if "Accepting connection" in line:
             return server, f"cs://localhost:{port}"
     raise SystemExit("drag: the server did not start")
+
+
+REPLAY = """
+import json, sys
+from paraview.simple import *
+model, properties, trace = json.loads(sys.argv[1])
+SphericalStyle(registrationName="SphericalStyle1", Input=OpenDataFile(model), **properties)
+exec(trace)
+print("replayed", json.dumps(list(FindSource("SphericalStyle1").Center)))
+"""
+
+
+def check_trace(options, trace, during, center):
+    """One change, that of the release, and a script of it moves the center to the same place."""
+    properties = dict(DetailSize=options.detail_size, Roundness=options.roundness, CenterMode="Custom")
+    with tempfile.NamedTemporaryFile("w", suffix=".py") as script:
+        script.write(REPLAY)
+        script.flush()
+        output = subprocess.run(
+            [options.trace, "--dr", script.name, json.dumps([os.path.abspath(options.model), properties, trace])],
+            env=dict(os.environ, PV_PLUGIN_PATH=plugin_path(options)), capture_output=True, text=True).stdout
+    replayed = [json.loads(line.split(" ", 1)[1]) for line in output.splitlines() if line.startswith("replayed ")]
+    print(f"trace: {trace.count('.Center = ')} changes of Center, replayed {replayed}, dragged to {center}")
+    if during or trace.count(".Center = ") != 1 or not replayed or not numpy.allclose(replayed[0], center):
+        print(f"FAILED: {len(during)} updates before the release, trace:\n{trace}")
+        return 1
+    print("passed")
+    return 0
 
 
 def watch(options, log):
@@ -182,6 +219,9 @@ def watch(options, log):
     if len(messages) != options.messages:
         print(f"FAILED: {len(messages)} messages, and not {options.messages}")
         return 1
+    if options.trace:
+        trace = wait_for("the trace", lambda: next((line["trace"] for line in read(log) if "trace" in line), None))
+        return check_trace(options, trace, during, updates(log, end=undone)[-1]["center"])
     if len(during) < 2:  # it would be one, after the button, without pqUpdateWhileDragging
         print("FAILED: the model did not follow")
         return 1

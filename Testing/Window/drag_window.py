@@ -7,6 +7,7 @@ import json
 import os
 import time
 
+import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
@@ -84,7 +85,22 @@ def write_message(_, __, text):
 
 for event in ("WarningEvent", "ErrorEvent"):
     vtkOutputWindow.GetInstance().AddObserver(event, write_message)
-style.SMProxy.AddObserver("UpdateDataEvent", lambda *_: write(center=values("Center", 3)))
+
+updates = 0
+
+
+def write_update(*_):
+    """The trace ends with undo, since no other event comes here when all is done."""
+    global updates
+    updates += 1
+    write(center=values("Center", 3))
+    if servermanager.vtkSMTrace.GetActiveTracer() and updates > 1 and numpy.allclose(values("Center", 3), center):
+        write(trace=servermanager.vtkSMTrace.StopTrace())
+
+
+style.SMProxy.AddObserver("UpdateDataEvent", write_update)
+if settings["trace"]:
+    servermanager.vtkSMTrace.StartTrace()
 x, y, _ = to_screen(center)
 write(handle=[x, view.ViewSize[1] - y], center=center, radius=radius,
       released=moved_by(*settings["released"]))
