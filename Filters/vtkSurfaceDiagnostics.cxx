@@ -266,7 +266,6 @@ void AddCellMarks(vtkPolyData* output, const WholeSurface& surface, const MeshDi
 //------------------------------------------------------------------------------------------------
 vtkSurfaceDiagnostics::vtkSurfaceDiagnostics()
 {
-  NoteBlocks(this);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -283,7 +282,7 @@ int vtkSurfaceDiagnostics::FillOutputPortInformation(int port, vtkInformation* i
   return 1;
 }
 
-int vtkSurfaceDiagnostics::RequestData(
+int vtkSurfaceDiagnostics::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return RunGuarded(this, outputVector, [&] { return this->Execute(inputVector, outputVector); });

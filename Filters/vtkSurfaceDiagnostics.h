@@ -32,7 +32,8 @@
  * Deformation on Single Component Models (doctoral thesis), Eq. 2.4 and 4.7; the rest is not in it.
  *
  * Errors: a point id out of range (the first cell is named), more than 238,609,294 points or
- * triangles, SliverAngle not finite.
+ * triangles, SliverAngle not finite; where the surface is spread over processes, see
+ * vtkWholeSurfaceAlgorithm, also a point that is not finite.
  *
  * Cost: some milliseconds per 10,000 triangles.
  *
@@ -42,13 +43,13 @@
 #define vtkSurfaceDiagnostics_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholeSurfaceAlgorithm.h"
 
-class SPHERICALSTYLEFILTERS_EXPORT vtkSurfaceDiagnostics : public vtkPolyDataAlgorithm
+class SPHERICALSTYLEFILTERS_EXPORT vtkSurfaceDiagnostics : public vtkWholeSurfaceAlgorithm
 {
 public:
   static vtkSurfaceDiagnostics* New();
-  vtkTypeMacro(vtkSurfaceDiagnostics, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSurfaceDiagnostics, vtkWholeSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -75,13 +76,13 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkSurfaceDiagnostics(const vtkSurfaceDiagnostics&) = delete;
   void operator=(const vtkSurfaceDiagnostics&) = delete;
 
-  /// RequestData, which turns what this throws into a message.
+  /// RequestWholeData, which turns what this throws into a message.
   int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
   double SliverAngle = 1.0;

@@ -435,7 +435,6 @@ void vtkSurfaceMetrics::Internals::Measure(vtkPolyData* reference) const
 //------------------------------------------------------------------------------------------------
 vtkSurfaceMetrics::vtkSurfaceMetrics()
 {
-  NoteBlocks(this);
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
@@ -470,7 +469,7 @@ int vtkSurfaceMetrics::FillOutputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
-int vtkSurfaceMetrics::RequestData(
+int vtkSurfaceMetrics::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return RunGuarded(this, outputVector, [&] { return this->Execute(inputVector, outputVector); });

@@ -67,13 +67,13 @@
 #define vtkSurfaceMetrics_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholeSurfaceAlgorithm.h"
 
-class SPHERICALSTYLEFILTERS_EXPORT vtkSurfaceMetrics : public vtkPolyDataAlgorithm
+class SPHERICALSTYLEFILTERS_EXPORT vtkSurfaceMetrics : public vtkWholeSurfaceAlgorithm
 {
 public:
   static vtkSurfaceMetrics* New();
-  vtkTypeMacro(vtkSurfaceMetrics, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSurfaceMetrics, vtkWholeSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum CenterModes
@@ -163,13 +163,13 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkSurfaceMetrics(const vtkSurfaceMetrics&) = delete;
   void operator=(const vtkSurfaceMetrics&) = delete;
 
-  /// RequestData, which turns what this throws into a message.
+  /// RequestWholeData, which turns what this throws into a message.
   int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
   int CenterMode = POINT_MEAN;

@@ -363,6 +363,10 @@ int vtkWholeSurfaceAlgorithm::RequestData(
     vtkNew<vtkPolyData> result;
     result->ShallowCopy(output);
     surfaces[0].GiveBack(whole, result, parts.Surfaces[0], output);
+    if (this->Controller->GetLocalProcessId() == 0)
+    {
+      output->SetFieldData(result->GetFieldData()); // facts of the whole
+    }
   }
   return outcome != FAILED;
 }

@@ -16,9 +16,9 @@
  *
  * Point sets at further ports are gathered too. In a selection, ids are those of the part of each
  * process, as everywhere in VTK, and nodes with a PROCESS_ID are of that process. Outputs that are
- * not the moved input (tables, spheres, proxies), and an output with other cells than the input,
- * are on the first process, and so are the facts of an execution and its messages; numbers in
- * them are those of the gathered surface, unless they name a process.
+ * not the input with other points or arrays (tables, spheres, proxies), and an output with other
+ * cells than the input, are on the first process, and so are field data, the facts of an execution
+ * and its messages; numbers in them are those of the gathered surface, unless they name a process.
  *
  * Blocks of composite data are never gathered: each process runs over the blocks that it has, in
  * any number. Before each execution the processes agree, with one message, whether there is

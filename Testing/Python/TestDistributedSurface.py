@@ -13,10 +13,12 @@ import traceback
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints
 from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkDataSetAttributes, vtkMultiBlockDataSet,
                                            vtkPartitionedDataSetCollection, vtkPolyData, vtkSelection,
                                            vtkSelectionNode, vtkUnstructuredGrid)
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
@@ -380,6 +382,97 @@ def check_other_cells():
     assert alone.output.GetNumberOfPoints() > small.GetNumberOfPoints()
 
 
+def columns(data):
+    """Of a table, or of field data; text and names of arrays are kept as they are."""
+    fields = data.GetRowData() if data.IsA("vtkTable") else data.GetFieldData()
+    arrays = [fields.GetAbstractArray(k) for k in range(fields.GetNumberOfArrays())]
+    return {a.GetName(): vtk_to_numpy(a) if a.IsA("vtkDataArray") else
+            [a.GetValue(i) for i in range(a.GetNumberOfValues())] for a in arrays}
+
+
+def check_same_columns(title, mine, whole, exact=False):
+    """On the first process those of the whole, elsewhere none. Numbers of cells come in another order unless exact,
+    and the fit of a sphere ends where its steps are small."""
+    mine, whole = columns(mine), columns(whole)
+    if RANK > 0:
+        assert not any(len(values) for values in mine.values()), (title, mine)
+        return
+    assert list(mine) == list(whole) and whole, (title, list(mine), list(whole))
+    for name in set(whole) - (set() if exact else {"FirstId"}):
+        bounds = dict(rtol=0.0, atol=0.0) if exact else dict(rtol=1e-7, atol=1e-9)
+        same = (mine[name] == whole[name] if isinstance(whole[name], list) else
+                np.allclose(mine[name], whole[name], equal_nan=True, **bounds))
+        assert same, (title, name, mine[name], whole[name])
+
+
+def check_measures():
+    """What looks at a surface sees all of it: no border where a piece ends."""
+    metrics, diagnostics = sphericalstyle.vtkSurfaceMetrics, sphericalstyle.vtkSurfaceDiagnostics
+    rounded = in_double(Run(Style, creature, alone=True, Roundness=2.0).output)
+    for title, owner, options in (("slices", in_slices(creature), {}),
+                                  ("scattered", scattered(creature), {"global_ids": True}),
+                                  ("ghost cells", in_slices(creature), {"ghost_levels": 1})):
+        exact = "global_ids" in options
+        before, after = (Piece(whole, owner, **options) for whole in (creature, rounded))
+        run, alone = (Run(metrics, data, alone=data is rounded, FindSelfIntersections=False,
+                          prepare=lambda f, r=reference: f.SetInputData(1, r))
+                      for data, reference in ((after.data, before.data), (rounded, creature)))
+        assert not run.errors + alone.errors, (run.errors, alone.errors)
+        assert greatest(compare(after, run.output, alone.output)) == 0.0
+        check_same_columns(title, run.filter.GetOutputDataObject(1), alone.filter.GetOutputDataObject(1), exact)
+        assert alone.output.GetFieldData().GetArray("BorderEdges").GetValue(0) == 0
+        check_same_columns(title, run.output, alone.output, exact)
+
+        run, alone = Run(diagnostics, before.data), Run(diagnostics, creature, alone=True)
+        assert not run.errors + alone.errors, (run.errors, alone.errors)
+        assert greatest(compare(before, run.output, alone.output)) == 0.0
+        check_same_columns(title, run.filter.GetOutputDataObject(1), alone.filter.GetOutputDataObject(1),
+                           exact)
+
+
+class Growing(VTKPythonAlgorithmBase):
+    """A surface over time: three steps, each higher than the last."""
+
+    def __init__(self, surface):
+        super().__init__(nInputPorts=0, outputType="vtkPolyData")
+        self.surface = surface
+
+    def RequestInformation(self, _request, _inputs, outputs):
+        information = outputs.GetInformationObject(0)
+        for key, times in ((vtkStreamingDemandDrivenPipeline.TIME_STEPS(), (0.0, 1.0, 2.0)),
+                           (vtkStreamingDemandDrivenPipeline.TIME_RANGE(), (0.0, 2.0))):
+            information.Set(key, times, len(times))
+        return 1
+
+    def RequestData(self, _request, _inputs, outputs):
+        time = outputs.GetInformationObject(0).Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
+        output = vtkPolyData.GetData(outputs, 0)
+        output.ShallowCopy(self.surface)
+        if self.surface.GetNumberOfPoints():
+            points = vtkPoints()
+            points.SetData(numpy_to_vtk(coordinates(self.surface) * [1.0, 1.0 + time, 1.0], deep=True))
+            output.SetPoints(points)
+        return 1
+
+
+def check_time_series():
+    """Each step as in one process, also a step that comes again."""
+    piece = Piece(creature, scattered(creature), global_ids=True)
+    spread, alone = Style(), Style()
+    alone.SetController(None)
+    heights = []
+    for filter_, surface in ((spread, piece.data), (alone, creature)):
+        filter_.SetRoundness(1.0)
+        filter_.source = Growing(surface)
+        filter_.SetInputConnection(filter_.source.GetOutputPort())
+    for time in (0.0, 2.0, 1.0, 0.0):
+        for filter_ in (spread, alone):
+            filter_.UpdateTimeStep(time)
+        assert greatest(compare(piece, spread.GetOutput(), alone.GetOutput())) == 0.0, time
+        heights.append(np.ptp(coordinates(alone.GetOutput())[:, 1]))
+    assert heights[0] == heights[3] < heights[2] < heights[1], heights
+
+
 # ------------------------------------------------------------------------------------------- blocks
 def check_blocks():
     """Each block where it is: no block is gathered, any number of them, and no process waits."""
@@ -490,7 +583,7 @@ def check_faults():
 
 try:
     for check in (check_one_surface, check_seams, check_region, check_further_ports, check_other_cells,
-                  check_blocks, check_faults):
+                  check_measures, check_time_series, check_blocks, check_faults):
         check()
         controller.Barrier()
         if RANK == 0:
