@@ -27,16 +27,12 @@ LinearSystem::LinearSystem(LinearMethod method)
 
 void LinearSystem::Analyze(const Matrix& A)
 {
-  this->Used = this->Method;
-  if (this->Method == LinearMethod::ConjugateGradients)
-  {
-    return;
-  }
+  this->Chosen = this->Method;
   if (this->Method == LinearMethod::Automatic)
   {
-    this->Used = this->Choose(A);
+    this->Chosen = this->Choose(A);
   }
-  else
+  else if (this->Method != LinearMethod::ConjugateGradients)
   {
     this->Cholesky.Analyze(A);
   }
@@ -61,6 +57,7 @@ LinearMethod LinearSystem::Choose(const Matrix& A)
 
 void LinearSystem::Factor(const Matrix& A, int threads)
 {
+  this->Used = this->Chosen; // whatever the last numbers needed
   this->NumberOfSteps = 0;
   this->Full = {};
   this->Gradients = {};

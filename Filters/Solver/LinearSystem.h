@@ -59,7 +59,8 @@ private:
   LinearMethod Choose(const Matrix& A);
 
   LinearMethod Method;
-  LinearMethod Used = LinearMethod::Factor; // never Automatic
+  LinearMethod Chosen = LinearMethod::Factor; // of this pattern; never Automatic
+  LinearMethod Used = LinearMethod::Factor;   // of these numbers
   double ShareLeft = 0.01;
   double LargestFactor;
   SparseCholesky Cholesky;

@@ -213,6 +213,30 @@ void TestIndefinite()
   CHECK(factored > 0 && refused > 0, factored << " factored, " << refused << " refused");
 }
 
+/// What is used for a matrix does not depend on the one before it.
+void TestIndefiniteBefore()
+{
+  const LinearSystem::Matrix good = Grid(30, 0.01);
+  LinearSystem::Matrix bad = good;
+  bad.coeffRef(450, 450) = -1.0;
+  const Rows B = RandomRows(good.rows(), 7);
+  for (const LinearMethod method : { LinearMethod::Automatic, LinearMethod::Factor,
+         LinearMethod::SingleFactor, LinearMethod::ConjugateGradients })
+  {
+    LinearSystem fresh(method);
+    Rows expected = Rows::Zero(good.rows(), 3);
+    const std::string name = Solve(fresh, good, B, expected);
+    LinearSystem used(method);
+    Rows X = Rows::Zero(good.rows(), 3);
+    Solve(used, bad, B, X);
+    X.setZero();
+    used.Factor(good);
+    used.Solve(B, X);
+    CHECK(used.GetName() == name, used.GetName() << " should be " << name << " again");
+    CHECK(X == expected, name << " should give the same bits after an indefinite matrix");
+  }
+}
+
 /// Whole solves: single precision gives the energy to 4 digits and points to 1e-5 of the diagonal;
 /// conjugate gradients come as near to the minimum as the tolerance says.
 void TestSolves()
@@ -274,6 +298,7 @@ int main()
   TestThreads();
   TestChoice();
   TestIndefinite();
+  TestIndefiniteBefore();
   TestSolves();
   return CheckResult();
 }
