@@ -132,7 +132,7 @@ Subject MakeSphericalStyle(Bytes& bytes)
   f->SetAnchor(bytes.Below(2));
   f->SetComponentCoupling(bytes.Below(2));
   f->SetWeldCoincidentPoints(bytes.Below(4) != 1);
-  f->SetInitialGuess(bytes.Below(4) == 1);
+  f->SetInitialGuess(bytes.Below(4) % 3);
   f->SetTimeBudget(bytes.Below(8) == 1 ? bytes.Any() : 0.0);
   f->SetRefineLongEdges(bytes.Below(4) == 1);
   f->SetMaximumEdgeLength(0.1 + bytes.Share());
@@ -148,6 +148,7 @@ Subject MakeSphericalStyle(Bytes& bytes)
   f->SetGenerateCellEnergy(arrays & 4);
   f->SetGenerateRotation(arrays & 8);
   f->SetGenerateAuxiliaryScale(arrays & 16);
+  f->SetLinearSolver(arrays / 64);
   SetArrays(bytes, f, 5);
   const int ports = bytes.Below(16);
   if (ports == 1 || ports == 2)
@@ -159,7 +160,7 @@ Subject MakeSphericalStyle(Bytes& bytes)
     f->SetSelectionData(SelectionFromBytes(bytes));
   }
   return { f, !f->GetRefineLongEdges() || f->GetReproduceThesis(),
-    f->GetInitialGuess() == vtkSphericalStyleFilter::BLEND && f->GetTimeBudget() == 0.0 };
+    f->GetInitialGuess() != vtkSphericalStyleFilter::LAST_RESULT && f->GetTimeBudget() == 0.0 };
 }
 
 Subject MakeCubicStyle(Bytes& bytes)
