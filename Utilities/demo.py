@@ -14,7 +14,7 @@ from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Examples" / "Python"))
-from model_files import ModelError, read, rounded, triangle_count, write  # noqa: E402
+from model_files import ModelError, place_in, read, rounded, triangle_count, write  # noqa: E402
 from model_pictures import picture  # noqa: E402
 
 ROUNDNESS, DETAIL_SIZE = 0.5, 0.03  # of the main result
@@ -51,7 +51,7 @@ def demo(arguments):
                         f"Roundness {roundness:g}, {kept}") for roundness in SERIES_ROUNDNESS])
 
     files = {
-        kind: folder / f"{arguments.mesh.stem}-{kind}"
+        kind: place_in(folder, f"{arguments.mesh.stem}-{kind}")
         for kind in ("rounded.vtp", "rounded.ply", "energy.csv", "before-after.png", "series.png")
     }
     write(vtkXMLPolyDataWriter(), files["rounded.vtp"], result)

@@ -19,7 +19,7 @@ from vtkmodules.vtkIOFFMPEG import vtkFFMPEGWriter
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
 
-from model_files import Messages, ModelError, read, rounded, write
+from model_files import Messages, ModelError, read, rounded, whole, write
 from model_pictures import image_of
 
 SIZE = (640, 640)  # pixels
@@ -56,7 +56,8 @@ class Pictures:
         self.folder, self.count = folder, 0
 
     def add(self, image):
-        write(vtkPNGWriter(), self.folder / f"{self.count:04d}.png", image)
+        with whole(self.folder / f"{self.count:04d}.png") as part:
+            write(vtkPNGWriter(), part, image)
         self.count += 1
 
     def end(self):

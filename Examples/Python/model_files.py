@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Read models, round them, write them, in Python with or without ParaView. What goes wrong is a
 ModelError with the words of the reader, filter or writer."""
+import contextlib
+import os
 import re
 import sys
 
@@ -26,6 +28,30 @@ READERS = {
 
 class ModelError(Exception):
     """What went wrong, in words for the user."""
+
+
+def printable(text):
+    """The text, with escapes for what would move the cursor or end the line, and for bytes that are no text."""
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in str(text))
+
+
+def place_in(folder, name):
+    """Where the file of this name goes, below the folder and its own folders, which are made. A link among them must
+    not lead elsewhere."""
+    place = folder / name
+    if not place.resolve().is_relative_to(folder.resolve()):
+        raise ModelError(f"{printable(place)} leads out of {printable(folder)}")
+    place.parent.mkdir(parents=True, exist_ok=True)
+    return place
+
+
+@contextlib.contextmanager
+def whole(place):
+    """A path to write to; what was written has its name when it is whole. Links are replaced, not followed."""
+    part = place.with_name(place.name + ".part")
+    part.unlink(missing_ok=True)
+    yield part
+    part.replace(place)
 
 
 class Messages:
@@ -58,7 +84,8 @@ class Messages:
     @staticmethod
     def _plain(text):
         """Without source file, line and address."""
-        return re.sub(r"^\w+: In .*\n\w+ \(0x[0-9a-f]+\): ", "", text.strip())
+        plain = re.sub(r"^\w+: In .*\n\w+ \(0x[0-9a-f]+\): ", "", text.strip())
+        return "\n".join(map(printable, plain.splitlines()))
 
     def raise_errors(self, what):
         if self.errors or self.failed:
@@ -67,27 +94,28 @@ class Messages:
 
 def read(path):
     """The file's surface, or a ModelError that says why there is none."""
-    suffix = path.suffix.lower()
+    name, suffix = printable(path), path.suffix.lower()
     if suffix not in READERS:
-        raise ModelError(f"{path}: cannot read files {suffix or 'without an ending'};"
+        suffix = printable(suffix)
+        raise ModelError(f"{name}: cannot read files {suffix or 'without an ending'};"
                         f" known: {' '.join(sorted(READERS))}")
     if not path.is_file():
-        raise ModelError(f"{path}: no such file")
+        raise ModelError(f"{name}: no such file")
     if path.stat().st_size == 0:
-        raise ModelError(f"{path}: the file is empty")
+        raise ModelError(f"{name}: the file is empty")
     reader = READERS[suffix]()
     messages = Messages(reader)
-    reader.SetFileName(str(path))
+    reader.SetFileName(os.fsencode(path))
     reader.Update()
-    messages.raise_errors(f"{path}: cannot be read as {suffix}")
+    messages.raise_errors(f"{name}: cannot be read as {suffix}")
     surface = reader.GetOutputDataObject(0)
     if surface is None:
-        raise ModelError(f"{path}: cannot be read as {suffix}")
+        raise ModelError(f"{name}: cannot be read as {suffix}")
     if not isinstance(surface, vtkPolyData):
-        raise ModelError(f"{path}: holds a {surface.GetClassName()}, not a surface (vtkPolyData);"
+        raise ModelError(f"{name}: holds a {surface.GetClassName()}, not a surface (vtkPolyData);"
                         " take its surface first, in ParaView with Extract Surface")
     if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
-        raise ModelError(f"{path}: holds {surface.GetNumberOfPoints()} points and no faces")
+        raise ModelError(f"{name}: holds {surface.GetNumberOfPoints()} points and no faces")
     return surface
 
 
@@ -110,12 +138,12 @@ def rounded(surface, **properties):
 def write(writer, path, data):
     """With a writer that takes a file's name."""
     messages = Messages(writer)
-    writer.SetFileName(str(path))
+    writer.SetFileName(os.fsencode(path))
     writer.SetInputData(data)
     written = writer.Write()
-    messages.raise_errors(f"{path}: cannot be written")
+    messages.raise_errors(f"{printable(path)}: cannot be written")
     if written == 0:  # writers of images return nothing
-        raise ModelError(f"{path}: cannot be written")
+        raise ModelError(f"{printable(path)}: cannot be written")
 
 
 def triangle_count(surface):

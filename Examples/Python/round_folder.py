@@ -9,6 +9,7 @@ Also for pvpython; and for mpirun -np N pvbatch --sym, on several machines: each
 the models, and the first prints the table. bunny.ply becomes OUTPUT/bunny.ply.vtp, so that bunny.stl has a name of its own; with
 --recursive the folders below MODELS come again below OUTPUT. OUTPUT/summary.csv has a line for each
 model. A model that cannot be read or rounded does not stop the others: the exit code is then 1.
+Nothing is written outside OUTPUT, whatever the models are called and wherever links in OUTPUT lead.
 """
 import argparse
 import csv
@@ -21,7 +22,7 @@ import time
 
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from model_files import READERS, ModelError, read, rounded, write
+from model_files import READERS, ModelError, place_in, printable, read, rounded, whole, write
 from mpi_processes import Processes
 
 COLUMNS = ["model", "points", "iterations", "energy", "seconds", "result"]
@@ -55,26 +56,15 @@ def find_models(folder, output, recursive):
                   and output.resolve() not in file.resolve().parents)
 
 
-def place_for(model, output):
-    """Where the model is written to; a link must not lead out of the output folder."""
-    place = output / model.parent / (model.name + ".vtp")
-    place.parent.mkdir(parents=True, exist_ok=True)
-    if not place.resolve().is_relative_to(output.resolve()):
-        raise ModelError(f"{place} leads out of {output}")
-    return place
-
-
 def round_one(model, arguments):
     """A line of the table."""
     start = time.perf_counter()
     surface = read(arguments.models / model)
-    place = place_for(model, arguments.output)
+    place = place_in(arguments.output, model.with_name(model.name + ".vtp"))
     style = rounded(surface, Roundness=arguments.roundness, DetailSize=arguments.detail_size,
                     NormalBlend=arguments.normal_blend)
-    # Under its name only when it is complete.
-    part = place.with_name(place.name + ".part")
-    write(vtkXMLPolyDataWriter(), part, style.GetOutput())
-    part.replace(place)
+    with whole(place) as part:
+        write(vtkXMLPolyDataWriter(), part, style.GetOutput())
     return {"points": surface.GetNumberOfPoints(), "iterations": style.GetNumberOfIterations(),
             "energy": f"{style.GetFinalEnergy():.6g}",
             "seconds": f"{time.perf_counter() - start:.2f}", "result": "rounded"}
@@ -84,8 +74,8 @@ def work(model, arguments, connection):
     """In a process of its own: a reader that crashes takes no other model along."""
     try:
         connection.send(round_one(model, arguments))
-    except (ModelError, OSError, ValueError) as error:
-        connection.send({"result": str(error)})
+    except (ModelError, OSError, RuntimeError, ValueError) as error:
+        connection.send({"result": "\n".join(map(printable, str(error).splitlines()))})
 
 
 def round_all(models, arguments):
@@ -107,7 +97,13 @@ def round_all(models, arguments):
                 line = receiver.recv()
             except EOFError:
                 line = {"result": f"broke off with exit code {process.exitcode}"}
-            yield model, {"model": model.as_posix()} | line
+            yield model, {"model": name_of(model)} | line
+
+
+def name_of(model):
+    """Its path below the folder, for the table; to a spreadsheet it must not look like a formula."""
+    path = model.as_posix()
+    return "./" + path if path[0] in "=+-@\t\r" else path
 
 
 def share_of(models, folder, mpi):
@@ -117,11 +113,12 @@ def share_of(models, folder, mpi):
 
 
 def print_table(lines):
-    rows = [COLUMNS] + [[str(line.get(column, "")) for column in COLUMNS] for line in lines]
+    rows = [COLUMNS] + [[printable(line.get(column, "")) for column in COLUMNS[:-1]]
+                        + [line["result"].splitlines()[0]] for line in lines]
     widths = [max(len(row[k]) for row in rows) for k in range(len(COLUMNS) - 1)]
     for row in rows:
         cells = [row[0].ljust(widths[0])] + [cell.rjust(w) for cell, w in zip(row[1:-1], widths[1:])]
-        print("  ".join(cells + [row[-1].splitlines()[0]]))
+        print("  ".join(cells + row[-1:]))
 
 
 def main():
@@ -139,7 +136,7 @@ def main():
     lines = []
     for model, line in round_all(models, arguments):
         lines.append(line)
-        print(f"{mpi.name}[{len(lines)}/{len(models)}] {model.as_posix()}: {line['result']}", flush=True)
+        print(f"{mpi.name}[{len(lines)}/{len(models)}] {printable(model.as_posix())}: {line['result']}", flush=True)
     lines = mpi.gather(lines)
     if mpi.rank > 0:
         return 0
@@ -147,10 +144,12 @@ def main():
 
     print()
     print_table(lines)
-    with open(arguments.output / "summary.csv", "w", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, COLUMNS)
-        table.writeheader()
-        table.writerows(lines)
+    with whole(arguments.output / "summary.csv") as part:
+        # Names are bytes, and come out as they are.
+        with open(part, "w", newline="", encoding="utf-8", errors="surrogateescape") as file:
+            table = csv.DictWriter(file, COLUMNS)
+            table.writeheader()
+            table.writerows(lines)
     failed = sum(line["result"] != "rounded" for line in lines)
     print(f"\n{len(lines) - failed} of {len(lines)} models rounded")
     return 1 if failed else 0

@@ -185,8 +185,9 @@ class Section:
         if (folder, name) in self.names:
             raise ValueError(f"{name}: two {folder} of one name")
         self.names.add((folder, name))
-        (self.folder / folder).mkdir(parents=True, exist_ok=True)
-        return f"{folder}/{name}{ending}"
+        file = f"{folder}/{name}{ending}"
+        model_files.place_in(self.folder, file)
+        return file
 
     def _csv(self, name, columns, rows):
         file = self._file("numbers", name, ".csv")
@@ -351,11 +352,11 @@ def write(folder, sections, facts):
             f'<li><a href="#{s.experiment.anchor}">{", ".join(s.experiment.rows)}: '
             f"{html.escape(s.experiment.title)}</a></li>" for s in members)
         body = f"<ul>{contents}</ul>" + "".join(section.html() for section in members)
-        (folder / chapter_file(chapter)).write_text(page(TITLES[chapter], body, navigation),
-                                                    encoding="utf-8")
-    (folder / "index.html").write_text(
-        page("The experiments of the thesis, run again", overview(chapters, facts), navigation),
-        encoding="utf-8")
+        with model_files.whole(folder / chapter_file(chapter)) as part:
+            part.write_text(page(TITLES[chapter], body, navigation), encoding="utf-8")
+    with model_files.whole(folder / "index.html") as part:
+        part.write_text(page("The experiments of the thesis, run again", overview(chapters, facts), navigation),
+                        encoding="utf-8")
 
 
 INTRODUCTION = """

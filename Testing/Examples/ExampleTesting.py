@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of examples share. Each is called with PYTHON EXAMPLES DATA OUTPUT: the program that runs the
 example (python3 or pvpython), the folder of the examples, the models, and a folder to write to."""
+import os
 import pathlib
 import shutil
 import subprocess
@@ -45,7 +46,7 @@ def pixels(path):
 def surface(path):
     """Of a VTP."""
     reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(path))
+    reader.SetFileName(os.fsencode(path))
     reader.Update()
     return reader.GetOutput()
 
