@@ -508,6 +508,28 @@ void ReplaceCellNormals(vtkPolyData* output, const std::vector<char>& moved)
   }
   ReplaceNormals(output->GetCellData(), normals);
 }
+
+[[noreturn]] void RefuseRange(const std::string& what, int type)
+{
+  throw std::range_error(what + " is beyond the range of " +
+    (type == VTK_FLOAT ? "single" : "double") +
+    " precision; make the model, Radius and the distance to Center smaller");
+}
+
+void RequireRange(vtkDataArray* array)
+{
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+    {
+      if (!std::isfinite(array->GetComponent(i, k)))
+      {
+        RefuseRange(
+          std::string(array->GetName()) + " at point " + std::to_string(i), array->GetDataType());
+      }
+    }
+  }
+}
 }
 
 vtkIdType vtkSurfaceMesh::FirstInputPoint(int i) const
@@ -777,6 +799,7 @@ void AddPointArray(
     const int from = surface.MeshPoint[i];
     array->SetTuple(i, from >= 0 ? rows.row(from).data() : zero.data());
   }
+  RequireRange(array);
   output->GetPointData()->AddArray(array);
 }
 
@@ -793,6 +816,7 @@ void AddDisplacement(vtkPolyData* output, vtkPolyData* input)
     const Eigen::Vector3d moved = Eigen::Vector3d(output->GetPoint(i)) - before;
     displacement->SetTuple(i, moved.data());
   }
+  RequireRange(displacement);
   output->GetPointData()->AddArray(displacement);
 }
 
@@ -825,9 +849,7 @@ void ReplacePoints(vtkPolyData* output, const vtkSurfaceMesh& surface, const Poi
     const double* x = points->GetPoint(i);
     if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
     {
-      throw std::range_error("point " + std::to_string(i) +
-        " of the result is beyond the range of " + (type == VTK_FLOAT ? "single" : "double") +
-        " precision; make Radius and the distance to Center smaller");
+      RefuseRange("point " + std::to_string(i) + " of the result", type);
     }
   }
   output->SetPoints(points);

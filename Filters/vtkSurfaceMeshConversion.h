@@ -126,12 +126,14 @@ SphericalStyle::Points GatherPointArray(
   vtkInformation* wanted, vtkPolyData* input, const vtkSurfaceMesh& surface, const ArrayRule& rule);
 
 /// One row per mesh point to a point array of the output, zero where nothing moves.
+/// @throw std::range_error naming array and point of the first value that is not finite
 /// @param type  VTK_FLOAT or VTK_DOUBLE
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 void AddPointArray(
   vtkPolyData* output, const vtkSurfaceMesh& surface, const char* name, int type, const Rows& rows);
 
 /// The array Displacement: output minus input point, in the number type of the output's points.
+/// @throw std::range_error naming the first point whose displacement is not finite
 void AddDisplacement(vtkPolyData* output, vtkPolyData* input);
 
 /// VTK_FLOAT or VTK_DOUBLE: the number type of the output's points.

@@ -20,18 +20,24 @@ struct Frame
   Points Into(const Points& x) const { return (x.rowwise() - this->origin) / this->scale; }
   Points OutOf(const Points& x) const { return (this->scale * x).rowwise() + this->origin; }
 
-  /// Takes the energies of a report, length^2, out of the frame.
+  /// Takes an energy, length^2, out of the frame; 0 stays 0 where scale^2 is infinite.
+  template <typename Energy>
+  Energy EnergyOutOf(const Energy& energy) const
+  {
+    return this->scale * (this->scale * energy);
+  }
+
+  /// The same for the energies of a report.
   void OutOf(LoopReport& report) const
   {
-    const double square = this->scale * this->scale;
-    report.restEnergy *= square;
-    report.negligible *= square;
+    report.restEnergy = this->EnergyOutOf(report.restEnergy);
+    report.negligible = this->EnergyOutOf(report.negligible);
     for (HistoryRow& row : report.history)
     {
-      row.energy.rigid *= square;
-      row.energy.spherical *= square;
-      row.localChange *= square;
-      row.globalChange *= square;
+      row.energy.rigid = this->EnergyOutOf(row.energy.rigid);
+      row.energy.spherical = this->EnergyOutOf(row.energy.spherical);
+      row.localChange = this->EnergyOutOf(row.localChange);
+      row.globalChange = this->EnergyOutOf(row.globalChange);
     }
   }
 };

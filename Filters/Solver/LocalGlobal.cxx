@@ -122,6 +122,11 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
   report.negligible = negligible;
   HistoryRow start;
   start.energy = problem.Evaluate(Q);
+  if (!std::isfinite(restEnergy) || !std::isfinite(start.energy.Total()))
+  {
+    throw SolverError("the energy is beyond the range of double precision; make the roundness or "
+                      "weight, the radius and the distance to the center smaller");
+  }
   start.globalChange = start.energy.Total() - restEnergy;
   start.residual = Unknown;
   start.gap = Unknown;

@@ -470,8 +470,7 @@ VectorXd NonlinearFeature::GetScales() const
 VectorXd NonlinearFeature::GetCellEnergies() const
 {
   const State& s = *this->S;
-  const double unit = s.SolveFrame.scale;
-  return unit * unit * s.Energy.CellEnergies(s.Q, s.R, s.Scales);
+  return s.SolveFrame.EnergyOutOf(s.Energy.CellEnergies(s.Q, s.R, s.Scales));
 }
 
 bool NonlinearFeature::HasInwardNormals() const

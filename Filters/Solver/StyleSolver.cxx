@@ -658,7 +658,6 @@ const Matrices& StyleSolver::GetRotations() const
 
 Eigen::VectorXd StyleSolver::GetCellEnergies() const
 {
-  const double unit = this->S->MeshFrame.scale;
-  return unit * unit * this->S->Energy.CellEnergies(this->S->Q, this->S->R);
+  return this->S->MeshFrame.EnergyOutOf(this->S->Energy.CellEnergies(this->S->Q, this->S->R));
 }
 } // namespace SphericalStyle

@@ -222,7 +222,7 @@ Eigen::VectorXd RadialCosines(const Points& P, const Points& normals, const Eige
   for (Eigen::Index i = 0; i < P.rows(); ++i)
   {
     const Eigen::RowVector3d d = P.row(i) - center.transpose();
-    const double distance = d.norm();
+    const double distance = d.stableNorm();
     cosine(i) = distance > 0.0 ? d.dot(normals.row(i)) / distance : 0.0;
   }
   return cosine;

@@ -193,6 +193,57 @@ void Numbers(Checker& check)
     [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetTolerance(1e-4); });
 }
 
+/// Results that their number type cannot hold.
+void Ranges(Checker& check)
+{
+  ExpectError(
+    check, "points beyond single precision",
+    { "point 0 of the result", "beyond the range of single precision" },
+    [](vtkSphericalStyleFilter* filter, vtkPolyData*)
+    {
+      filter->SetRadiusModeToCustom();
+      filter->SetRadius(1e39);
+      filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+    },
+    [](vtkSphericalStyleFilter* filter, vtkPolyData*)
+    {
+      filter->SetRadiusModeToEqualArea();
+      filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
+    });
+  ExpectError(
+    check, "an energy, the square of a length, beyond double precision",
+    { "the energy is beyond the range of double precision" },
+    [](vtkSphericalStyleFilter* filter, vtkPolyData*)
+    {
+      filter->SetRadiusModeToCustom();
+      filter->SetRadius(1e200);
+    },
+    [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetRadiusModeToEqualArea(); });
+  const auto scale = [](vtkPolyData* input, int exponent)
+  {
+    for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        MovePoint(input, i, k, std::ldexp(PointOf(input, i)[k], exponent));
+      }
+    }
+  };
+  ExpectError(
+    check, "energies of a model so large that they have no number",
+    { "CellEnergy at point 0", "beyond the range of double precision" },
+    [&](vtkSphericalStyleFilter* filter, vtkPolyData* input)
+    {
+      scale(input, 600);
+      filter->GenerateCellEnergyOn();
+    },
+    [&](vtkSphericalStyleFilter* filter, vtkPolyData* input)
+    {
+      scale(input, -600);
+      filter->GenerateCellEnergyOff();
+    });
+}
+
 void UnusedNumbers(Checker& check)
 {
   check.About("numbers of modes that are not chosen");
@@ -487,6 +538,7 @@ int TestSphericalStyleFilterErrors(int argc, char* argv[])
   Checker check;
   Coordinates(check);
   Numbers(check);
+  Ranges(check);
   UnusedNumbers(check);
   NoVolume(check);
   WrongArrays(check);
