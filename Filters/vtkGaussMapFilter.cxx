@@ -274,6 +274,7 @@ int vtkGaussMapFilter::Execute(
   using namespace SphericalStyle;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   Internals::Measure(this, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), 0); // of nothing
+  vtkImageData::GetData(outputVector, 1)->Initialize(); // an image keeps its array otherwise
   if (!IsSurface(this, inputVector[0]))
   {
     return 0;
