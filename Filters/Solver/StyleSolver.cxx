@@ -372,6 +372,11 @@ void StyleSolver::State::UpdateGlobal(const StyleOptions& options)
   {
     this->Global = GlobalStep(this->Summed().Topology, options.fixedPoints, options.linearMethod);
     this->FixedPoints = options.fixedPoints;
+    if (options.linearMethod != this->Method) // they are solved for, too
+    {
+      this->BaseSize = -1.0;
+      this->CenterIds.clear();
+    }
     this->Method = options.linearMethod;
     this->HasGlobal = true;
   }
