@@ -183,6 +183,7 @@ void Cube(Checker& check)
     }
     filter->AreaWeightedOn();
     filter.Output();
+    counts = Image(filter.Get())->GetPointData()->GetScalars();
     check.AtMost(std::abs(Sum(counts) - 8.0), 1e-12, "sum of the counts minus corners");
   }
   check.About("cube with normals of its faces");
