@@ -230,7 +230,7 @@ std::string Advise(
     { surface.components > 1 && o.componentCoupling == ComponentCoupling::Independent,
       "ComponentCoupling Stitched: " + std::to_string(surface.components) +
         " parts share no edge" },
-    { result.centerOutside, "Center inside of the model: it lies outside" },
+    { result.centerOutside, "move Center into the model: it lies outside" },
     { turned && facingAway && withCgal, "vtkConvexProxyDeformFilter: " + turnedOver },
     { turned && withCgal, "AvoidSelfIntersections: " + turnedOver },
     { turned, "lower Roundness: " + turnedOver },

@@ -131,7 +131,7 @@ void Advice(Checker& check)
   {
     filter->SetCenter(0.0, 0.0, z);
     Expect(check, "center at " + vtkVariant(z).ToString(), filter,
-      std::abs(z) > 1.0 ? "Center inside of the model: " : "");
+      std::abs(z) > 1.0 ? "move Center into the model: " : "");
   }
   filter->SetCenterModeToAreaCentroid();
   filter->SetInputData(MakeEllipsoid({ 1.0, 0.7, 0.4 }, Faces::Triangles, 8, 6));

@@ -201,7 +201,7 @@ void TestEachAdvice()
   options = Defaults();
   options.centerMode = CenterMode::Custom;
   options.custom.center = { 0.0, 0.0, 2.0 };
-  ExpectAdvice("O outside", Meshes::Icosphere(3), options, "Center inside of the model", "outside",
+  ExpectAdvice("O outside", Meshes::Icosphere(3), options, "move Center into the model", "outside",
     [](StyleOptions& o) {
       o.custom.center = { 0.0, 0.0, 0.5 };
     });
@@ -228,7 +228,7 @@ void TestEachAdvice()
     [](StyleOptions& o) { o.lambda = 0.5; });
 
   options = Defaults();
-  ExpectAdvice("a cup around O", Meshes::Cup(0.1), options, "Center inside of the model", "outside",
+  ExpectAdvice("a cup around O", Meshes::Cup(0.1), options, "move Center into the model", "outside",
     [](StyleOptions& o)
     {
       o.centerMode = CenterMode::Custom;
@@ -277,7 +277,7 @@ void TestOrder()
   options.edgeWeighting = EdgeWeighting::HalfEdge;
   expect("ComponentCoupling Stitched: 19 parts share no edge");
   options.componentCoupling = ComponentCoupling::Stitched;
-  expect("Center inside of the model: it lies outside");
+  expect("move Center into the model: it lies outside");
   result.centerOutside = false;
   expect("vtkConvexProxyDeformFilter: 12 % of the triangles turned over");
   result.facingAwayShare = 0.2;
