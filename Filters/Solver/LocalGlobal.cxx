@@ -39,6 +39,17 @@ double Residual(const Points& Q, const Points& before, const Points& rest, int t
   return step > 0.0 ? step / LargestSquaredStep(Q, rest, threads) : 0.0;
 }
 
+/// The energy of the start. @throw SolverError if it or E_0 is no number
+EnergyTerms InRange(const EnergyTerms& start, double restEnergy)
+{
+  if (!std::isfinite(restEnergy) || !std::isfinite(start.Total()))
+  {
+    throw SolverError("the energy is beyond the range of double precision; make the roundness or "
+                      "weight, the radius and the distance to the center smaller");
+  }
+  return start;
+}
+
 bool Stops(const LoopOptions& options, const HistoryRow& row)
 {
   switch (options.stopRule)
@@ -121,20 +132,10 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
   report.restEnergy = restEnergy;
   report.negligible = negligible;
   HistoryRow start;
-  start.energy = problem.Evaluate(Q);
-  if (!std::isfinite(restEnergy) || !std::isfinite(start.energy.Total()))
-  {
-    throw SolverError("the energy is beyond the range of double precision; make the roundness or "
-                      "weight, the radius and the distance to the center smaller");
-  }
+  start.energy = InRange(problem.Evaluate(Q), restEnergy);
   start.globalChange = start.energy.Total() - restEnergy;
-  start.residual = Unknown;
-  start.gap = Unknown;
   const bool nothingToGain = restEnergy <= negligible; // 0/0 is convergence
-  if (nothingToGain)
-  {
-    start.gap = start.residual = 0.0;
-  }
+  start.gap = start.residual = nothingToGain ? 0.0 : Unknown;
   report.history.push_back(start);
   report.converged = Stops(options, start);
 

@@ -94,6 +94,7 @@ double EstimateGap(const std::vector<double>& energies, double restEnergy);
 /// Lowers E from (Q, R) until the stop rule is met; E rises in no step (both steps exact).
 /// @param rest  rest positions, for Eq. 3.48 @param restEnergy  E_0
 /// @param negligible  energies below this are zero: nothing to do
+/// @throw SolverError where the energy is infinite or NaN
 LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double restEnergy,
   double negligible, Points& Q, const LoopOptions& options, const Callback& callback);
 } // namespace SphericalStyle
