@@ -4,7 +4,15 @@
 /// result that there is with enough of it; and once there is enough again, that result to the bit.
 #include "FaultTesting.h"
 
-#ifdef __linux__
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SANITIZED
+#elif defined(__has_feature) // Clang
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define SANITIZED
+#endif
+#endif
+#if defined(__linux__) && !defined(SANITIZED) // a sanitizer takes terabytes of addresses
+#define LIMITS_MEMORY
 #include <csignal>
 #include <cstdio>
 #include <fstream>
@@ -18,7 +26,7 @@ using namespace FilterTesting;
 
 namespace
 {
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifdef LIMITS_MEMORY
 constexpr int Refused = 10; // exit codes of a child: no memory, and said so
 constexpr int Done = 11;    // there was enough
 constexpr int EndedByVTK = 12;
@@ -138,7 +146,7 @@ int CheckShort(Checker& check, const Subject& subject, vtkPolyData* input)
 int TestFaultsMemory(int, char*[])
 {
   Checker check;
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifdef LIMITS_MEMORY
   const Surface input = MakeBumpyBall(24, 30);
   int refused = 0;
   for (const Subject& subject : Subjects())
