@@ -249,7 +249,7 @@ std::string Advise(
       "several centers (center ids): " + Percent(result.facingAwayShare) +
         " of the surface faces away from the center" },
   };
-  const auto rule =
+  const auto* const rule =
     std::find_if(std::begin(rules), std::end(rules), [](const Rule& r) { return r.applies; });
   return o.lambda > 0.0 && rule != std::end(rules) ? rule->advice : std::string();
 }

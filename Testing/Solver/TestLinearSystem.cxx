@@ -157,7 +157,7 @@ void TestChoice()
     const LinearSystem::Matrix A = Grid(side, hold, anisotropy);
     const Rows B = RandomRows(A.rows(), 5);
     Rows X = Rows::Zero(A.rows(), 3);
-    const std::string used = Solve(system, A, B, X);
+    std::string used = Solve(system, A, B, X);
     const Rows left = B - A.selfadjointView<Eigen::Lower>() * X;
     CHECK(left.norm() <= 0.1 * B.norm(), used << " leaves " << left.norm() / B.norm());
     return used;
@@ -253,7 +253,7 @@ void TestSolves()
     options.linearMethod = method;
     StyleSolver solver;
     solver.SetMesh(mesh);
-    const StyleReport report = solver.Solve(options);
+    StyleReport report = solver.Solve(options);
     const Rises rises = CountRises(report.loop);
     CHECK(rises.globalSteps == 0 && rises.localSteps == 0,
       report.linearSolver << ": the energy should never rise");
