@@ -36,7 +36,7 @@ case ${1:-} in
       libdouble-conversion-dev libjsoncpp-dev liblz4-dev liblzma-dev libtbb-dev libutfcpp-dev)
     ;;
   --packages) packages+=(debian-archive-keyring dpkg-dev file mmdebstrap) ;;
-  --checks) packages+=(clang clang-format clang-tidy valgrind) ;;
+  --checks) packages+=(clang clang-format clang-tidy gcovr valgrind) ;;
   --benchmarks) packages+=(libbenchmark-dev libopen3d-dev) ;;
   *)
     echo "usage: Utilities/setup.sh [--plain-vtk | --packages | --benchmarks | --checks]" >&2
