@@ -191,10 +191,10 @@ void SumResiduals(const ResidualArrays& a, int begin, int end, EnergyTerms& ener
       const Vector4 base = current[k] - fixed[k];
       Vector4 rigidSquares = {};
       Vector4 sphericalSquares = {};
-      for (int y = 0; y < 3; ++y)
+      for (const Columns4& rotation : R)
       {
-        const Vector4 u = current[k] - R[y] * e[k];
-        const Vector4 v = base - R[y] * delta[k];
+        const Vector4 u = current[k] - rotation * e[k];
+        const Vector4 v = base - rotation * delta[k];
         rigidSquares += u * u;
         sphericalSquares += v * v;
       }

@@ -91,6 +91,11 @@ void CheckOptions(const StyleOptions& o, int n)
   Require(
     o.centerBlend >= 0.0 && std::isfinite(o.centerBlend), "the center blend must be 0 or more");
 }
+
+bool StartsFromBlend(const StyleOptions& o)
+{
+  return o.initialGuess != InitialGuess::Rest && !o.localTerm;
+}
 }
 
 //------------------------------------------------------------------------------------------------
@@ -154,6 +159,10 @@ public:
   void FactorGlobal(const EdgeWeights& w, int threads, StyleReport& report);
   void StartFromRest(const StyleOptions& options);
   void StartFromBlend(double radius, Points& Q) const;
+  Matrices TakeLast(const StyleOptions& options);
+  void PrepareLoop(const StyleOptions& options, StyleReport& report);
+  std::optional<double> Start(StyleSteps& problem, const StyleOptions& options,
+    const StyleReport& report, Matrices last, double restEnergy);
   double EnoughToContinue(double restEnergy) const;
   void KeepEnergies(const LoopReport& loop, std::optional<double> ofBlend);
   void ToModelUnits(const StyleOptions& options, StyleReport& report);
@@ -544,6 +553,68 @@ void StyleSolver::State::ToModelUnits(const StyleOptions& options, StyleReport& 
   frame.OutOf(report.loop);
 }
 
+/// The rotations to go on from; none where there are none, or where they must not be used.
+Matrices StyleSolver::State::TakeLast(const StyleOptions& options)
+{
+  const bool continues = std::exchange(this->HasResult, false) &&
+    options.initialGuess == InitialGuess::LastResult &&
+    options.loop.stopRule != StopRule::FixedIterations && !options.localTerm;
+  if (!continues)
+  {
+    this->BlendGap = 0.0;
+    return {};
+  }
+  return std::exchange(this->R, {});
+}
+
+/// Without details the blend is not only the start but the minimum, as long as the weights are
+/// positive semidefinite in every triangle: then nothing needs to be solved. Else makes ready what
+/// the loop needs.
+void StyleSolver::State::PrepareLoop(const StyleOptions& options, StyleReport& report)
+{
+  report.closedForm = StartsFromBlend(options) && this->IsClosedForm(options, report) &&
+    options.detailSize == 0.0 && options.edgeWeighting != EdgeWeighting::FullEdge &&
+    options.loop.stopRule != StopRule::FixedIterations;
+  if (report.closedForm)
+  {
+    return;
+  }
+  this->PrepareSteps(report);
+  if (options.detailSize == 0.0)
+  {
+    this->FactorGlobal(this->Energy.GetWeights(), options.threads, report);
+  }
+}
+
+/// [start] @param last  rotations to go on from, or none
+/// @return E of the blend if that was looked at on the way
+std::optional<double> StyleSolver::State::Start(StyleSteps& problem, const StyleOptions& options,
+  const StyleReport& report, Matrices last, double restEnergy)
+{
+  const bool closedForm = this->IsClosedForm(options, report);
+  const auto blend = [&](Points& X)
+  {
+    if (closedForm)
+    {
+      this->StartFromBlend(report.sphere.radius, X);
+      problem.MoveComponents(X);
+    }
+    else
+    {
+      problem.SolveGlobal(X);
+    }
+  };
+  if (!last.empty())
+  {
+    return problem.StartFrom(std::move(last), this->EnoughToContinue(restEnergy), blend, this->Q);
+  }
+  if (StartsFromBlend(options))
+  {
+    blend(this->Q);
+  }
+  return {};
+}
+
 StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& callback)
 {
   State& s = *this->S;
@@ -552,18 +623,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   StyleReport report;
   const Stopwatch whole;
   s.BuildEnergy(options, s.Prepare(options, report), report);
-  Matrices last;
-  const bool continues = std::exchange(s.HasResult, false) &&
-    options.initialGuess == InitialGuess::LastResult &&
-    options.loop.stopRule != StopRule::FixedIterations;
-  if (continues)
-  {
-    last = std::move(s.R);
-  }
-  else
-  {
-    s.BlendGap = 0.0;
-  }
+  Matrices last = s.TakeLast(options);
   s.StartFromRest(options);
   StyleSteps problem(
     s.Energy, s.Global, s.R, s.P, s.Areas, s.RestMeans, options.anchor, options.localTerm.get());
@@ -572,28 +632,8 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     options.localTerm->SetMesh(s.P, s.Given.F);
   }
   double restEnergy = problem.Evaluate(s.P).Total();
+  s.PrepareLoop(options, report);
 
-  // Without details the blend is not only the start but the minimum, as long as the weights are
-  // positive semidefinite in every triangle: nothing needs to be solved.
-  const bool fromBlend = options.initialGuess != InitialGuess::Rest && !options.localTerm;
-  const bool closedForm = fromBlend && s.IsClosedForm(options, report);
-  report.closedForm = closedForm && options.detailSize == 0.0 &&
-    options.edgeWeighting != EdgeWeighting::FullEdge &&
-    options.loop.stopRule != StopRule::FixedIterations;
-  LoopOptions loop = options.loop;
-  loop.threads = options.threads;
-  if (report.closedForm)
-  {
-    loop.maximumNumberOfIterations = 0;
-  }
-  else
-  {
-    s.PrepareSteps(report);
-    if (options.detailSize == 0.0)
-    {
-      s.FactorGlobal(s.Energy.GetWeights(), options.threads, report);
-    }
-  }
   const Stopwatch iterate;
   if (!options.fixedPoints.empty())
   {
@@ -602,28 +642,16 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     problem.SolveGlobal(blend);
     restEnergy = std::max(restEnergy, problem.Evaluate(blend).Total());
   }
-  const auto blend = [&](Points& Q) // [start]
+  if (report.closedForm)
   {
-    if (closedForm)
-    {
-      s.StartFromBlend(report.sphere.radius, Q);
-      problem.MoveComponents(Q);
-    }
-    else
-    {
-      problem.SolveGlobal(Q);
-    }
-  };
-  std::optional<double> ofBlend; // E
-  const bool fromLast = continues && fromBlend && !report.closedForm;
-  if (fromLast)
-  {
-    ofBlend = problem.StartFrom(std::move(last), s.EnoughToContinue(restEnergy), blend, s.Q);
+    last.clear();
   }
-  else if (fromBlend)
-  {
-    blend(s.Q);
-  }
+  const bool onlyBlend = last.empty() && StartsFromBlend(options);
+  std::optional<double> ofBlend = s.Start(problem, options, report, std::move(last), restEnergy);
+
+  LoopOptions loop = options.loop;
+  loop.threads = options.threads;
+  loop.maximumNumberOfIterations = report.closedForm ? 0 : loop.maximumNumberOfIterations;
   if (loop.timeBudget > 0.0)
   {
     loop.timeBudget = std::max(loop.timeBudget - whole.Seconds(), 1e-9);
@@ -636,7 +664,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     report.loop.history.back().gap = 0.0;
   }
   report.seconds.iterate = iterate.Seconds();
-  if (fromBlend && !fromLast)
+  if (onlyBlend)
   {
     ofBlend = report.loop.history.front().energy.Total();
   }

@@ -22,9 +22,9 @@ class Job
 {
 public:
   Job(int count, const std::function<void(int)>& work)
-    : Thrown(count)
-    , Work(work)
+    : Work(work)
   {
+    this->Thrown.resize(count);
   }
 
   /// Does what nobody else has begun.
