@@ -36,6 +36,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace
@@ -509,26 +510,52 @@ void ReplaceCellNormals(vtkPolyData* output, const std::vector<char>& moved)
   ReplaceNormals(output->GetCellData(), normals);
 }
 
-[[noreturn]] void RefuseRange(const std::string& what, int type)
+/// A new array. @param value  (tuple, component) -> double
+/// @param what  tuple -> its name in the message @throw std::range_error
+template <typename Value, typename What>
+vtkSmartPointer<vtkDataArray> NewArray(
+  int type, vtkIdType tuples, int components, const Value& value, const What& what)
 {
-  throw std::range_error(what + " is beyond the range of " +
-    (type == VTK_FLOAT ? "single" : "double") +
-    " precision; make the model, Radius and the distance to Center smaller");
-}
-
-void RequireRange(vtkDataArray* array)
-{
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  vtkIdType beyond = -1; // the first tuple that has no number
+  const auto fill = [&](auto* typed)
   {
-    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+    using Number = vtk::GetAPIType<std::remove_pointer_t<decltype(typed)>>;
+    auto to = vtk::DataArrayValueRange(typed).begin();
+    for (vtkIdType i = 0; i < tuples; ++i)
     {
-      if (!std::isfinite(array->GetComponent(i, k)))
+      for (int k = 0; k < components; ++k)
       {
-        RefuseRange(
-          std::string(array->GetName()) + " at point " + std::to_string(i), array->GetDataType());
+        const auto x = static_cast<Number>(value(i, k));
+        beyond = beyond < 0 && !std::isfinite(x) ? i : beyond;
+        *to++ = x;
       }
     }
+  };
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(array, fill))
+  {
+    fill(array.Get()); // whole numbers
   }
+  if (beyond >= 0)
+  {
+    throw std::range_error(what(beyond) + " is beyond the range of " +
+      (type == VTK_FLOAT ? "single" : "double") +
+      " precision; make the model, Radius and the distance to Center smaller");
+  }
+  return array;
+}
+
+/// The same for the points of a surface, with a name.
+template <typename Value>
+vtkSmartPointer<vtkDataArray> NewPointArray(
+  const char* name, int type, vtkIdType tuples, int components, const Value& value)
+{
+  auto array = NewArray(type, tuples, components, value,
+    [name](vtkIdType i) { return std::string(name) + " at point " + std::to_string(i); });
+  array->SetName(name);
+  return array;
 }
 }
 
@@ -789,35 +816,21 @@ Points GatherPointArray(
 void AddPointArray(
   vtkPolyData* output, const vtkSurfaceMesh& surface, const char* name, int type, const Rows& rows)
 {
-  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(rows.cols()));
-  array->SetNumberOfTuples(output->GetNumberOfPoints());
-  const Rows zero = Rows::Zero(1, rows.cols());
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    const int from = surface.MeshPoint[i];
-    array->SetTuple(i, from >= 0 ? rows.row(from).data() : zero.data());
-  }
-  RequireRange(array);
-  output->GetPointData()->AddArray(array);
+  output->GetPointData()->AddArray(
+    NewPointArray(name, type, output->GetNumberOfPoints(), static_cast<int>(rows.cols()),
+      [&](vtkIdType i, int k)
+      {
+        const int from = surface.MeshPoint[i];
+        return from >= 0 ? rows(from, k) : 0.0;
+      }));
 }
 
 void AddDisplacement(vtkPolyData* output, vtkPolyData* input)
 {
-  auto displacement =
-    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(output->GetPoints()->GetDataType()));
-  displacement->SetName("Displacement");
-  displacement->SetNumberOfComponents(3);
-  displacement->SetNumberOfTuples(output->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    const Eigen::Vector3d before(input->GetPoint(i));
-    const Eigen::Vector3d moved = Eigen::Vector3d(output->GetPoint(i)) - before;
-    displacement->SetTuple(i, moved.data());
-  }
-  RequireRange(displacement);
-  output->GetPointData()->AddArray(displacement);
+  const Points before = AllPoints(input);
+  const Points after = AllPoints(output);
+  output->GetPointData()->AddArray(NewPointArray("Displacement", output->GetPoints()->GetDataType(),
+    after.rows(), 3, [&](vtkIdType i, int k) { return after(i, k) - before(i, k); }));
 }
 
 int OutputPointType(vtkPolyData* input, int precision)
@@ -832,26 +845,20 @@ int OutputPointType(vtkPolyData* input, int precision)
 void ReplacePoints(vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q,
   int precision, bool generateNormals)
 {
-  vtkPoints* before = output->GetPoints();
-  const int type = OutputPointType(output, precision);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(type);
-  points->SetNumberOfPoints(before->GetNumberOfPoints());
+  const Points before = AllPoints(output);
   std::vector<char> moved(surface.MeshPoint.size());
-  for (vtkIdType i = 0; i < before->GetNumberOfPoints(); ++i)
+  for (std::size_t i = 0; i < moved.size(); ++i)
   {
     const int from = surface.MeshPoint[i];
-    moved[i] = from >= 0 && Q.row(from) != surface.Mesh.P.row(from);
-    points->SetPoint(i, moved[i] ? Q.row(from).data() : before->GetPoint(i));
+    moved[i] = from >= 0 && Q.row(from) != surface.Mesh.P.row(from) ? 1 : 0;
   }
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    const double* x = points->GetPoint(i);
-    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-    {
-      RefuseRange("point " + std::to_string(i) + " of the result", type);
-    }
-  }
+  auto positions = NewArray(
+    OutputPointType(output, precision), before.rows(), 3,
+    [&](vtkIdType i, int k) { return moved[i] ? Q(surface.MeshPoint[i], k) : before(i, k); },
+    [](vtkIdType i) { return "point " + std::to_string(i) + " of the result"; });
+  positions->SetName("Points"); // as vtkPoints calls its own
+  vtkNew<vtkPoints> points;
+  points->SetData(positions);
   output->SetPoints(points);
   ReplacePointNormals(output, surface, Q, generateNormals);
   ReplaceCellNormals(output, moved);
