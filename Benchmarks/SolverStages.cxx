@@ -11,13 +11,10 @@
 #include "LocalStep.h"
 #include "Stages.h"
 #include "StyleSolver.h"
+#include "SupernodalPattern.h"
 #include "SurfaceMeasures.h"
 
 #include <benchmark/benchmark.h>
-
-#ifdef SPHERICALSTYLE_WITH_CHOLMOD
-#include <Eigen/CholmodSupport>
-#endif
 
 namespace Benchmarks
 {
@@ -151,29 +148,26 @@ void Report(benchmark::State& state, const StageData& data, double bytes, const 
   state.SetLabel(hash);
 }
 
-/// Entries of the Cholesky factor of A in the order that the solver takes, and what factoring
-/// costs; zeros where CHOLMOD cannot be asked.
+/// Entries of the Cholesky factor of A, the zeros in its supernodes included, and what factoring
+/// costs.
 struct FactorCost
 {
   double entries = 0.0;
   double operations = 0.0;
 };
 
-FactorCost CostOf([[maybe_unused]] const SparseCholesky::Matrix& A)
+FactorCost CostOf(const SparseCholesky::Matrix& A)
 {
   FactorCost cost;
-#ifdef SPHERICALSTYLE_WITH_CHOLMOD
-  cholmod_common common;
-  cholmod_start(&common);
-  common.nmethods = 1;
-  common.method[0].ordering = CHOLMOD_AMD;
-  cholmod_sparse view = Eigen::viewAsCholmod(A.selfadjointView<Eigen::Lower>());
-  cholmod_factor* factor = cholmod_analyze(&view, &common);
-  cost.entries = common.lnz;
-  cost.operations = common.fl;
-  cholmod_free_factor(&factor, &common);
-  cholmod_finish(&common);
-#endif
+  const SupernodalPattern pattern(A);
+  for (int s = 0; s < pattern.GetNumberOfSupernodes(); ++s)
+  {
+    for (double rows = pattern.GetRowsBelow(s) + 1; rows <= pattern.GetRows(s); ++rows)
+    {
+      cost.entries += rows;
+      cost.operations += rows * rows;
+    }
+  }
   return cost;
 }
 
@@ -272,14 +266,14 @@ SparseCholesky::RightHandSides RightHandSides(const StageData& data)
   return data.B.topRows(data.Matrix.GetNumberOfRows());
 }
 
-void Factorization(benchmark::State& state, StageData& data, int)
+void Factorization(benchmark::State& state, StageData& data, int threads)
 {
   const SparseCholesky::Matrix& A = data.Matrix.Assemble(data.Cotangents);
   SparseCholesky factor;
   factor.Analyze(A);
   while (state.KeepRunning())
   {
-    factor.Factor(A);
+    factor.Factor(A, SparseCholesky::Precision::Double, threads);
   }
   SparseCholesky::RightHandSides X = RightHandSides(data);
   factor.Solve(X);

@@ -488,8 +488,8 @@ public:
 
   ///@{
   /**
-   * What solves the linear system of the global step, default Automatic. Factor is CHOLMOD's
-   * Cholesky factor (Eigen's where the build has no CHOLMOD): exact up to rounding.
+   * What solves the linear system of the global step, default Automatic. Factor is a
+   * Cholesky factor: exact up to rounding.
    * SinglePrecisionFactor keeps it in single precision and corrects with residuals in double
    * precision: half of the memory, faster, the same result to about 1e-9 of the diagonal; it is
    * Factor where the matrix is too badly conditioned. ConjugateGradients needs no factor and a

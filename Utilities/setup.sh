@@ -15,7 +15,7 @@ set -euo pipefail
 packages=(
   # build
   ca-certificates cmake g++ git ninja-build
-  libcgal-dev libeigen3-dev libopenblas-dev libsuitesparse-dev
+  libcgal-dev libeigen3-dev
   # ParaView 5.11 with its VTK 9.2, its Python, the MPI its CMake package asks for, and mpirun
   libopenmpi-dev openmpi-bin paraview paraview-dev python3-paraview
   # what makes the plugin's help pages, icons and widgets
@@ -37,7 +37,7 @@ case ${1:-} in
     ;;
   --packages) packages+=(debian-archive-keyring dpkg-dev file mmdebstrap) ;;
   --checks) packages+=(clang clang-format clang-tidy gcovr valgrind) ;;
-  --benchmarks) packages+=(libbenchmark-dev libopen3d-dev) ;;
+  --benchmarks) packages+=(libbenchmark-dev libopen3d-dev libopenblas-dev libsuitesparse-dev) ;;
   *)
     echo "usage: Utilities/setup.sh [--plain-vtk | --packages | --benchmarks | --checks]" >&2
     exit 2

@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_deformation.h>
 #include <Eigen/SparseCholesky>
-#ifdef SPHERICALSTYLE_WITH_CHOLMOD
+#ifdef BENCHMARKS_WITH_CHOLMOD
 #include <Eigen/CholmodSupport>
 #endif
 
@@ -113,7 +113,7 @@ int main(int argc, char* argv[])
       {
         Run<ConstrainedCholesky<Eigen::SimplicialLDLT<Sparse>>>(mesh, iterations, record);
       }
-#ifdef SPHERICALSTYLE_WITH_CHOLMOD
+#ifdef BENCHMARKS_WITH_CHOLMOD
       else if (solver == "cholmod")
       {
         Run<ConstrainedCholesky<Eigen::CholmodSupernodalLLT<Sparse>>>(mesh, iterations, record);

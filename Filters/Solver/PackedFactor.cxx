@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PackedFactor.h"
 
+#include "AlignedArray.h"
 #include "Parallel.h"
 #include "Vector4.h"
 
 #include <algorithm>
-#include <new>
+#include <vector>
 
 namespace SphericalStyle
 {
 namespace
 {
-constexpr int TileRows = 8;
+constexpr int TileRows = SupernodePanel::TileRows;
 constexpr int BlockColumns = 4;
 constexpr int PointSize = 4;
 constexpr int InverseSize = BlockColumns * BlockColumns;
 constexpr int TileSize = TileRows * BlockColumns;
-constexpr std::size_t Alignment = 64;
 
 template <typename Scalar>
 struct VectorsOf;
@@ -47,49 +47,14 @@ using Point = typename VectorsOf<Scalar>::Point;
 template <typename Scalar>
 using Unaligned = typename VectorsOf<Scalar>::Unaligned;
 
-/// Memory for vectors, not initialised.
-template <typename T>
-class AlignedArray
+/// A supernode. Its slots are the rows of its panel.
+struct Node : SupernodePanel
 {
-public:
-  /// Keeps what is there only if it is as large already. @throw std::bad_alloc
-  void Resize(std::size_t size)
-  {
-    if (size != this->Size)
-    {
-      this->Memory.reset();
-      this->Memory.reset(static_cast<T*>(::operator new (
-        std::max<std::size_t>(size * sizeof(T), 1), std::align_val_t{ Alignment })));
-      this->Size = size;
-    }
-  }
-  T* Get() const { return this->Memory.get(); }
-  std::size_t GetSize() const { return this->Size; }
+  using SupernodePanel::SupernodePanel;
 
-private:
-  struct Delete
-  {
-    void operator()(T* memory) const { ::operator delete (memory, std::align_val_t{ Alignment }); }
-  };
-  std::unique_ptr<T, Delete> Memory;
-  std::size_t Size = 0;
-};
-
-int DivideUp(int a, int b)
-{
-  return (a + b - 1) / b;
-}
-
-/// A supernode. Its slots are its own columns, filled up to whole tiles, and then the rows below.
-struct Node
-{
-  int firstColumn;
-  int columns;
-  int rowsBelow;
-  int ownTiles;
-  int tiles;     // own ones and those below
-  int firstSlot; // in the list of what row of X each slot is
-  std::size_t firstValue;
+  int firstColumn = 0;
+  int firstSlot = 0; // in the list of what row of X each slot is
+  std::size_t firstValue = 0;
 };
 
 /// The first tile that a block starting at this column of the node reaches below itself.
@@ -97,6 +62,16 @@ SPHERICALSTYLE_INLINE int FirstTile(const Node& node, int column)
 {
   const int next = column + BlockColumns;
   return next < node.columns ? next / TileRows : node.ownTiles;
+}
+
+std::size_t CountValues(const Node& node)
+{
+  std::size_t count = 0;
+  for (int j = 0; j < node.columns; j += BlockColumns)
+  {
+    count += InverseSize + static_cast<std::size_t>(node.tiles - FirstTile(node, j)) * TileSize;
+  }
+  return count;
 }
 
 template <typename Scalar>
@@ -115,16 +90,16 @@ struct Packed
 
 //---------------------------------------------------------------------------------------- packing
 /// The inverse of a lower triangle of the block, filled up with the identity, row by row.
-/// @param columns  of the factor, with `rows` numbers each, at the first row of the triangle
+/// @param columns  of eight numbers each, at the first row of the triangle
 template <typename Scalar>
-void PackInverse(const double* columns, std::ptrdiff_t rows, int width, Scalar* out)
+void PackInverse(const double* columns, int width, Scalar* out)
 {
   Eigen::Matrix4d triangle = Eigen::Matrix4d::Identity();
   for (int j = 0; j < width; ++j)
   {
     for (int i = j; i < width; ++i)
     {
-      triangle(i, j) = columns[j * rows + i];
+      triangle(i, j) = columns[j * TileRows + i];
     }
   }
   const Eigen::Matrix4d inverse =
@@ -133,103 +108,54 @@ void PackInverse(const double* columns, std::ptrdiff_t rows, int width, Scalar* 
   target = inverse.cast<Scalar>();
 }
 
-/// Tiles of `count` consecutive rows from `columns`, of which the first `skipped` are zeros.
 template <typename Scalar>
-Scalar* PackTiles(
-  const double* columns, std::ptrdiff_t rows, int width, int skipped, int count, Scalar* out)
+void PackNode(const Node& node, const double* panel, Scalar* out)
 {
-  const int end = DivideUp(count, TileRows) * TileRows;
-  for (int tile = 0; tile < end; tile += TileRows, out += TileSize)
+  for (int j = 0; j < node.columns; j += BlockColumns)
   {
-    std::fill(out, out + TileSize, Scalar(0));
-    const int first = std::max(tile, skipped);
-    const int last = std::min(tile + TileRows, count);
-    for (int j = 0; j < width; ++j)
+    PackInverse(panel + node.GetOffset(j / TileRows, j) + j % TileRows,
+      std::min(BlockColumns, node.columns - j), out);
+    out += InverseSize;
+    for (int tile = FirstTile(node, j); tile < node.tiles; ++tile, out += TileSize)
     {
-      for (int i = first; i < last; ++i)
+      const double* from = panel + node.GetOffset(tile, j);
+      std::transform(
+        from, from + TileSize, out, [](double value) { return static_cast<Scalar>(value); });
+      if (tile == j / TileRows) // the rows of the triangle are in it, too
       {
-        out[j * TileRows + i - tile] = static_cast<Scalar>(columns[j * rows + i]);
+        for (int k = 0; k < TileSize; ++k)
+        {
+          out[k] = k % TileRows < BlockColumns ? Scalar(0) : out[k];
+        }
       }
     }
   }
-  return out;
 }
 
 template <typename Scalar>
-void PackNode(const Node& node, const double* values, Scalar* out)
+void LayOut(const SupernodalPattern& L, Packed<Scalar>& packed)
 {
-  const std::ptrdiff_t rows = node.columns + node.rowsBelow;
-  for (int j = 0; j < node.columns; j += BlockColumns)
-  {
-    const double* columns = values + j * rows;
-    const int width = std::min(BlockColumns, node.columns - j);
-    PackInverse(columns + j, rows, width, out);
-    out += InverseSize;
-    if (const int next = j + BlockColumns; next < node.columns)
-    {
-      const int first = FirstTile(node, j) * TileRows;
-      out = PackTiles(columns + first, rows, width, next - first, node.columns - first, out);
-    }
-    out = PackTiles(columns + node.columns, rows, width, 0, node.rowsBelow, out);
-  }
-}
-
-template <typename Scalar>
-void LayOut(const SupernodalFactor& L, Packed<Scalar>& packed)
-{
-  packed.nodes.reserve(L.numberOfSupernodes);
+  packed.nodes.reserve(L.GetNumberOfSupernodes());
   std::size_t size = 0;
-  for (int s = 0; s < L.numberOfSupernodes; ++s)
+  for (int s = 0; s < L.GetNumberOfSupernodes(); ++s)
   {
-    Node node = {};
+    Node node(L.GetColumns(s), L.GetRowsBelow(s));
     node.firstColumn = L.firstColumn[s];
-    node.columns = L.firstColumn[s + 1] - L.firstColumn[s];
-    node.rowsBelow = L.firstRow[s + 1] - L.firstRow[s] - node.columns;
-    node.ownTiles = DivideUp(node.columns, TileRows);
-    node.tiles = node.ownTiles + DivideUp(node.rowsBelow, TileRows);
     node.firstSlot = static_cast<int>(packed.slots.size());
     node.firstValue = size;
-    const int* rows = L.rows + L.firstRow[s];
     const auto add = [&](const int* first, int count)
     {
       packed.slots.insert(packed.slots.end(), first, first + count);
       packed.slots.resize(
-        packed.slots.size() + DivideUp(count, TileRows) * TileRows - count, L.numberOfColumns);
+        packed.slots.size() + SupernodePanel::CountTiles(count) * TileRows - count,
+        L.GetNumberOfColumns());
     };
-    add(rows, node.columns);
-    add(rows + node.columns, node.rowsBelow);
-    for (int j = 0; j < node.columns; j += BlockColumns)
-    {
-      size += InverseSize + static_cast<std::size_t>(node.tiles - FirstTile(node, j)) * TileSize;
-    }
+    add(L.rows.data() + L.firstRow[s], node.columns);
+    add(L.GetBelow(s), node.rowsBelow);
+    size += CountValues(node);
     packed.nodes.push_back(node);
   }
   packed.values.Resize(size);
-}
-
-constexpr std::ptrdiff_t ReleasedAtOnce = 1 << 18; // values
-
-template <typename Scalar>
-void Copy(const SupernodalFactor& L, int threads, Packed<Scalar>& packed,
-  const typename PackedFactor<Scalar>::Release& release)
-{
-  ParallelFor(L.numberOfSupernodes, threads,
-    [&](int begin, int end)
-    {
-      const double* released = L.values + L.firstValue[begin];
-      for (int s = begin; s < end; ++s)
-      {
-        const Node& node = packed.nodes[s];
-        const double* values = L.values + L.firstValue[s];
-        PackNode(node, values, packed.values.Get() + node.firstValue);
-        values += static_cast<std::ptrdiff_t>(L.GetRows(s)) * L.GetColumns(s);
-        if (release && (values - released >= ReleasedAtOnce || s + 1 == end))
-        {
-          release(released, values);
-          released = values;
-        }
-      }
-    });
 }
 
 //---------------------------------------------------------------------------------------- solving
@@ -436,9 +362,9 @@ SPHERICALSTYLE_COMPILE_SOLVES(double)
 template <typename Scalar>
 struct PackedFactor<Scalar>::Data : Packed<Scalar>
 {
-  explicit Data(const SupernodalFactor& factor)
-    : tasks(factor)
-    , permutation(factor.permutation, factor.permutation + factor.numberOfColumns)
+  explicit Data(const SupernodalPattern& pattern)
+    : tasks(pattern)
+    , permutation(pattern.permutation)
   {
   }
 
@@ -453,13 +379,11 @@ struct PackedFactor<Scalar>::Data : Packed<Scalar>
 };
 
 template <typename Scalar>
-PackedFactor<Scalar>::PackedFactor(
-  const SupernodalFactor& factor, int threads, const Release& release)
-  : D(std::make_unique<Data>(factor))
+PackedFactor<Scalar>::PackedFactor(const SupernodalPattern& pattern)
+  : D(std::make_unique<Data>(pattern))
 {
   Data& d = *this->D;
-  LayOut<Scalar>(factor, d);
-  Copy<Scalar>(factor, threads, d, release);
+  LayOut<Scalar>(pattern, d);
   for (const Node& node : d.nodes)
   {
     d.largestNumberOfTiles = std::max(d.largestNumberOfTiles, node.tiles);
@@ -468,6 +392,19 @@ PackedFactor<Scalar>::PackedFactor(
   d.X.Resize(PointSize * (d.permutation.size() + 1));
   d.tiles.Resize(3 * TileRows * (subtrees + 1) * d.largestNumberOfTiles);
   d.top.Resize(PointSize * subtrees * d.tasks.GetNumberOfTopColumns());
+}
+
+template <typename Scalar>
+const SupernodalTasks& PackedFactor<Scalar>::GetTasks() const
+{
+  return this->D->tasks;
+}
+
+template <typename Scalar>
+void PackedFactor<Scalar>::Set(int s, const double* panel)
+{
+  const Node& node = this->D->nodes[s];
+  PackNode(node, panel, this->D->values.Get() + node.firstValue);
 }
 
 template <typename Scalar>
@@ -525,9 +462,14 @@ void PackedFactor<Scalar>::Solve(RightHandSides B, int threads) const
 }
 
 template <typename Scalar>
-std::size_t PackedFactor<Scalar>::GetMemorySize() const
+std::size_t PackedFactor<Scalar>::GetMemorySize(const SupernodalPattern& pattern)
 {
-  return this->D ? this->D->values.GetSize() * sizeof(Scalar) : 0;
+  std::size_t size = 0;
+  for (int s = 0; s < pattern.GetNumberOfSupernodes(); ++s)
+  {
+    size += CountValues(Node(pattern.GetColumns(s), pattern.GetRowsBelow(s)));
+  }
+  return size * sizeof(Scalar);
 }
 
 template <typename Scalar>

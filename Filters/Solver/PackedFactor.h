@@ -5,19 +5,16 @@
 #ifndef SphericalStyle_PackedFactor_h
 #define SphericalStyle_PackedFactor_h
 
-#include "SupernodalFactor.h"
+#include "SupernodalPattern.h"
 
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <functional>
 #include <memory>
-#include <vector>
 
 namespace SphericalStyle
 {
-/// Solves A X = B for three right-hand sides at once with the factor of A, of which it holds a
-/// copy: the factor itself is not needed any more.
+/// Solves A X = B for three right-hand sides at once with the factor of A.
 ///
 /// Four columns of a supernode are a block: the inverse of its 4 x 4 triangle, and then tiles of
 /// eight rows by four columns for the rows below it. Forward substitution reads all of it in
@@ -31,21 +28,24 @@ class PackedFactor
 {
 public:
   PackedFactor();
-  /// Called with pieces of the factor's values that are copied and not read again.
-  using Release = std::function<void(const double* begin, const double* end)>;
-  explicit PackedFactor(
-    const SupernodalFactor& factor, int threads = 1, const Release& release = {});
+  /// Room for a factor of this pattern, which is not needed afterwards.
+  explicit PackedFactor(const SupernodalPattern& pattern);
   ~PackedFactor();
   PackedFactor(PackedFactor&&) noexcept;
   PackedFactor& operator=(PackedFactor&&) noexcept;
+
+  const SupernodalTasks& GetTasks() const;
+  /// Copies the numbers of a supernode, laid out as SupernodePanel says. Each has to be set;
+  /// several threads may set several at once.
+  void Set(int s, const double* panel);
 
   using RightHandSides = Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>;
   /// Replaces B (n x 3) by A^-1 B. The same bits for any number of threads. Not for two threads at
   /// once.
   void Solve(RightHandSides B, int threads = 1) const;
 
-  /// Of the values.
-  std::size_t GetMemorySize() const;
+  /// Bytes of the numbers of a factor of this pattern.
+  static std::size_t GetMemorySize(const SupernodalPattern& pattern);
 
 private:
   struct Data;

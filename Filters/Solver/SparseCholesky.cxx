@@ -2,29 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SparseCholesky.h"
 
+#include "MultifrontalCholesky.h"
 #include "PackedFactor.h"
 #include "TriangleMesh.h"
 
 #include <Eigen/SparseCholesky>
 
 #include <cmath>
-#include <cstdint>
-#include <mutex>
 #include <new>
 #include <random>
-
-#ifdef SPHERICALSTYLE_WITH_CHOLMOD
-#include <cholmod.h>
-#include <sys/mman.h>
-#include <unistd.h>
-
-// Present when the BLAS behind CHOLMOD is OpenBLAS, absent otherwise.
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
-extern "C" int openblas_get_num_threads() __attribute__((weak));
-// Present when CHOLMOD was built with OpenMP.
-extern "C" void omp_set_max_active_levels(int) __attribute__((weak));
-extern "C" int omp_get_max_active_levels() __attribute__((weak));
-#endif
 
 namespace SphericalStyle
 {
@@ -61,94 +47,9 @@ private:
   Eigen::SimplicialLDLT<Matrix, Eigen::Lower> Ldlt;
 };
 
-#ifdef SPHERICALSTYLE_WITH_CHOLMOD
 //------------------------------------------------------------------------------------------------
 namespace
 {
-/// One BLAS thread while any of these is in scope: the blocks of these factors are small, and the
-/// order of additions must not depend on the machine. Several threads may factor at once. No OpenMP
-/// threads either: where the system has none to give, OpenMP ends the process.
-class SingleThreadedBlas
-{
-public:
-  SingleThreadedBlas()
-  {
-    if (omp_get_max_active_levels && omp_set_max_active_levels)
-    {
-      this->LevelsBefore = omp_get_max_active_levels();
-      omp_set_max_active_levels(0);
-    }
-    const std::lock_guard<std::mutex> lock(Guard);
-    if (Scopes++ == 0 && openblas_get_num_threads && openblas_set_num_threads)
-    {
-      Before = openblas_get_num_threads();
-      openblas_set_num_threads(1);
-    }
-  }
-  ~SingleThreadedBlas()
-  {
-    if (this->LevelsBefore >= 0)
-    {
-      omp_set_max_active_levels(this->LevelsBefore);
-    }
-    const std::lock_guard<std::mutex> lock(Guard);
-    if (--Scopes == 0 && Before > 0)
-    {
-      openblas_set_num_threads(Before);
-    }
-  }
-  SingleThreadedBlas(const SingleThreadedBlas&) = delete;
-  SingleThreadedBlas& operator=(const SingleThreadedBlas&) = delete;
-
-private:
-  static inline std::mutex Guard;
-  static inline int Scopes = 0;
-  static inline int Before = 0;
-  int LevelsBefore = -1; // OpenMP keeps it per thread
-};
-
-/// OpenBLAS waits forever for its buffer of 128 MB if there is no room for it: asks first. Memory
-/// that nobody touches costs nothing. @throw std::bad_alloc
-void RequireRoomForBlas()
-{
-  constexpr std::size_t room = std::size_t(160) << 20;
-  if (openblas_set_num_threads)
-  {
-    ::operator delete(::operator new(room));
-  }
-}
-
-/// A view of an Eigen matrix, nothing is copied.
-cholmod_sparse View(const SparseCholesky::Matrix& A)
-{
-  cholmod_sparse view = {};
-  view.nrow = static_cast<std::size_t>(A.rows());
-  view.ncol = static_cast<std::size_t>(A.cols());
-  view.nzmax = static_cast<std::size_t>(A.nonZeros());
-  view.p = const_cast<int*>(A.outerIndexPtr());
-  view.i = const_cast<int*>(A.innerIndexPtr());
-  view.x = const_cast<double*>(A.valuePtr());
-  view.stype = -1; // lower triangle
-  view.itype = CHOLMOD_INT;
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  view.sorted = 1;
-  view.packed = 1;
-  return view;
-}
-
-/// Gives the whole pages of an array back to the system; they read as zeros from then on.
-void ReleasePages(const double* begin, const double* end)
-{
-  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
-  const auto last = reinterpret_cast<std::uintptr_t>(end) / page * page;
-  if (first < last)
-  {
-    madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
-  }
-}
-
 constexpr double LargestError = 1e-3; // of a solution in single precision
 
 /// Error of A^-1 b by the factor, in the norm of A and relative, for numbers b that have nothing to
@@ -172,44 +73,27 @@ double ErrorOf(const PackedFactor<float>& factor, const SparseCholesky::Matrix& 
 }
 }
 
-class SparseCholesky::CholmodImplementation : public SparseCholesky::Implementation
+class SparseCholesky::MultifrontalImplementation : public SparseCholesky::Implementation
 {
 public:
-  CholmodImplementation()
-  {
-    cholmod_start(&this->Common);
-    this->Common.print = 0;
-    this->Common.supernodal = CHOLMOD_SUPERNODAL;
-    this->Common.nmethods = 1;
-    this->Common.method[0].ordering = CHOLMOD_AMD;
-    this->Common.postorder = 1;
-  }
-  ~CholmodImplementation() override
-  {
-    cholmod_free_factor(&this->Cholesky, &this->Common);
-    cholmod_finish(&this->Common);
-  }
-  CholmodImplementation(const CholmodImplementation&) = delete;
-  CholmodImplementation& operator=(const CholmodImplementation&) = delete;
-
   const char* GetName() const override
   {
     if (this->Indefinite)
     {
       return this->Indefinite->GetName();
     }
-    return this->Used == Precision::Single ? "CHOLMOD supernodal LLT in single precision"
-                                           : "CHOLMOD supernodal LLT";
+    return this->Used == Precision::Single ? "multifrontal LLT in single precision"
+                                           : "multifrontal LLT";
   }
 
   void Analyze(const Matrix& A) override
   {
-    const SingleThreadedBlas scope;
-    cholmod_free_factor(&this->Cholesky, &this->Common);
     this->Indefinite.reset();
-    cholmod_sparse view = View(A);
-    this->Cholesky = cholmod_analyze(&view, &this->Common);
-    if (!this->Cholesky)
+    try
+    {
+      this->Pattern = SupernodalPattern(A);
+    }
+    catch (const std::bad_alloc&)
     {
       throw SolverError("not enough memory to order the system matrix");
     }
@@ -217,36 +101,32 @@ public:
 
   double GetFactorBytes() const override
   {
-    return sizeof(double) * static_cast<double>(this->Cholesky->xsize);
+    return static_cast<double>(PackedFactor<double>::GetMemorySize(this->Pattern));
   }
 
   void Factor(const Matrix& A, Precision precision, int threads) override
   {
-    const SingleThreadedBlas scope;
-    RequireRoomForBlas();
-    cholmod_sparse view = View(A);
     this->Indefinite.reset();
     this->Double = {}; // their memory is needed
     this->Single = {};
-    this->Used = Precision::Double;
+    this->Used = precision;
     this->Error = 0.0;
-    cholmod_factorize(&view, this->Cholesky, &this->Common);
-    if (this->Common.status == CHOLMOD_NOT_POSDEF)
+    try
     {
-      this->Indefinite = std::make_unique<EigenImplementation>();
-      this->Indefinite->Analyze(A);
-      this->Indefinite->Factor(A, precision, threads);
+      if (!this->FactorIn(A, threads))
+      {
+        this->Used = Precision::Double;
+        this->Double = {};
+        this->Single = {};
+        this->Indefinite = std::make_unique<EigenImplementation>();
+        this->Indefinite->Analyze(A);
+        this->Indefinite->Factor(A, precision, threads);
+      }
     }
-    else if (this->Common.status < CHOLMOD_OK)
+    catch (const std::bad_alloc&)
     {
       throw SolverError("not enough memory to factor the system matrix");
     }
-    else
-    {
-      this->Pack(A, precision, threads);
-    }
-    // Solves need the values no more; ordering and symbolic factor stay.
-    cholmod_change_factor(CHOLMOD_PATTERN, 1, 1, 1, 1, this->Cholesky, &this->Common);
   }
 
   void Solve(RightHandSides& B, int threads) const override
@@ -263,69 +143,54 @@ public:
   double GetError() const override { return this->Error; }
 
 private:
-  /// Copies the factor in the precision asked for, if that will do. Memory is given back as it is
-  /// copied, so that there is never more than one factor.
-  void Pack(const Matrix& A, Precision precision, int threads)
+  /// In single precision if that will do. False if A is not positive definite.
+  bool FactorIn(const Matrix& A, int threads)
   {
-    if (precision == Precision::Single)
+    if (this->Used == Precision::Single)
     {
-      this->Single = PackedFactor<float>(this->ViewFactor(), threads, ReleasePages);
+      if (!this->FactorTo(this->Single, A, threads))
+      {
+        return false;
+      }
       this->Error = ErrorOf(this->Single, A, threads);
       if (this->Error <= LargestError)
       {
-        this->Used = Precision::Single;
-        return;
+        return true;
       }
       this->Single = {};
       this->Error = 0.0;
-      cholmod_sparse view = View(A);
-      cholmod_factorize(&view, this->Cholesky, &this->Common);
+      this->Used = Precision::Double;
     }
-    this->Double = PackedFactor<double>(this->ViewFactor(), threads, ReleasePages);
+    return this->FactorTo(this->Double, A, threads);
   }
 
-  SupernodalFactor ViewFactor() const
+  template <typename Scalar>
+  bool FactorTo(PackedFactor<Scalar>& factor, const Matrix& A, int threads) const
   {
-    const cholmod_factor& L = *this->Cholesky;
-    const auto ints = [](void* p) { return static_cast<const int*>(p); };
-    return { static_cast<int>(L.n), static_cast<int>(L.nsuper), ints(L.super), ints(L.pi),
-      ints(L.s), ints(L.px), static_cast<const double*>(L.x), ints(L.Perm) };
+    factor = PackedFactor<Scalar>(this->Pattern);
+    return MultifrontalCholesky(A, this->Pattern, factor.GetTasks(), threads,
+      [&factor](int s, const double* panel) { factor.Set(s, panel); });
   }
 
-  cholmod_common Common = {};
-  cholmod_factor* Cholesky = nullptr;
+  SupernodalPattern Pattern;
   PackedFactor<double> Double; // one of the two
   PackedFactor<float> Single;
   Precision Used = Precision::Double;
   double Error = 0.0;
   std::unique_ptr<EigenImplementation> Indefinite; // set when the matrix is not positive definite
 };
-#endif
 
 //------------------------------------------------------------------------------------------------
-bool SparseCholesky::HasCholmod()
-{
-#ifdef SPHERICALSTYLE_WITH_CHOLMOD
-  return true;
-#else
-  return false;
-#endif
-}
-
 SparseCholesky::SparseCholesky(Backend backend)
 {
-  if (backend == Backend::Cholmod && !HasCholmod())
+  if (backend == Backend::Multifrontal)
   {
-    throw std::invalid_argument("CHOLMOD was not built in");
+    this->Impl = std::make_unique<MultifrontalImplementation>();
   }
-#ifdef SPHERICALSTYLE_WITH_CHOLMOD
-  if (backend != Backend::Eigen)
+  else
   {
-    this->Impl = std::make_unique<CholmodImplementation>();
-    return;
+    this->Impl = std::make_unique<EigenImplementation>();
   }
-#endif
-  this->Impl = std::make_unique<EigenImplementation>();
 }
 
 SparseCholesky::~SparseCholesky() = default;

@@ -14,11 +14,9 @@ namespace SphericalStyle
 {
 /// Symmetric positive definite system A X = B for few right-hand sides.
 ///
-/// CHOLMOD's supernodal Cholesky where the build has SuiteSparse, with PackedFactor; Eigen's
-/// SimplicialLDLT otherwise.
 /// In single precision the factor is worked out in double precision and kept in single.
 /// A matrix that is not positive definite (possible only with full-edge weights) is factored by
-/// LDLT, which needs no sign.
+/// Eigen's LDLT, which needs no sign.
 class SparseCholesky
 {
 public:
@@ -27,9 +25,8 @@ public:
 
   enum class Backend
   {
-    Best, ///< Cholmod where it was built in
-    Cholmod,
-    Eigen
+    Multifrontal, ///< MultifrontalCholesky and PackedFactor
+    Eigen         ///< SimplicialLDLT: slower, the reference in tests
   };
 
   enum class Precision
@@ -38,20 +35,18 @@ public:
     Single ///< solutions right to three digits or more: for corrections
   };
 
-  /// @throw std::invalid_argument when the backend was not built in
-  explicit SparseCholesky(Backend backend = Backend::Best);
+  explicit SparseCholesky(Backend backend = Backend::Multifrontal);
   ~SparseCholesky();
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
-  static bool HasCholmod();
-  /// What solves: "CHOLMOD supernodal LLT" or "Eigen LDLT", with "in single precision".
+  /// What solves: "multifrontal LLT" or "Eigen LDLT", with "in single precision".
   const char* GetName() const;
 
   /// Ordering and symbolic factorisation of A's pattern. @throw SolverError
   void Analyze(const Matrix& A);
-  /// Bytes that a factor of the pattern of Analyze takes in double precision; 0 where it is not
-  /// known before it is factored (Eigen).
+  /// Bytes that a factor of the pattern of Analyze takes in double precision; 0 with
+  /// Eigen, where it is not known before it is factored.
   double GetFactorBytes() const;
   /// Numeric factorisation; the pattern must be that of Analyze. Keeps double precision where
   /// GetError would be above 1e-3 with single precision. @throw SolverError if A is singular
@@ -67,7 +62,7 @@ public:
 private:
   class Implementation;
   class EigenImplementation;
-  class CholmodImplementation;
+  class MultifrontalImplementation;
   std::unique_ptr<Implementation> Impl;
 };
 } // namespace SphericalStyle

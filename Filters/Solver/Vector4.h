@@ -14,6 +14,8 @@
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__) &&       \
   !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+/// There are instruction sets to choose from.
+#define SPHERICALSTYLE_INSTRUCTION_SETS
 #define SPHERICALSTYLE_PER_INSTRUCTION_SET                                                         \
   __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
@@ -26,6 +28,8 @@
 
 namespace SphericalStyle
 {
+/// Two doubles: what every processor has vectors for.
+using Vector2 = double __attribute__((vector_size(16), aligned(16)));
 /// Four doubles: a vector of three and what follows it in memory.
 using Vector4 = double __attribute__((vector_size(32), aligned(32)));
 /// Eight doubles: the same number of eight cells.

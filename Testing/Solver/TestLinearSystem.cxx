@@ -88,14 +88,11 @@ void TestMethods()
   std::string name;
   CHECK(left(LinearMethod::Factor, 0.01, name) <= 1e-24, "a factor should be exact");
   CHECK(name == SparseCholesky().GetName(), "it should be named, not " << name);
-  if (SparseCholesky::HasCholmod())
-  {
-    const double once = left(LinearMethod::SingleFactor, 0.01, name);
-    const double twice = left(LinearMethod::SingleFactor, 1e-15, name);
-    CHECK(once > 0.0 && once <= 1e-8, "one correction in single precision leaves " << once);
-    CHECK(twice <= 1e-2 * once, "two should leave less than " << once << ", not " << twice);
-    CHECK(name.find("single") != std::string::npos, "single precision should be named: " << name);
-  }
+  const double once = left(LinearMethod::SingleFactor, 0.01, name);
+  const double twice = left(LinearMethod::SingleFactor, 1e-15, name);
+  CHECK(once > 0.0 && once <= 1e-8, "one correction in single precision leaves " << once);
+  CHECK(twice <= 1e-2 * once, "two should leave less than " << once << ", not " << twice);
+  CHECK(name.find("single") != std::string::npos, "single precision should be named: " << name);
   for (const double share : { 0.1, 0.01, 1e-4, 1e-8, 1e-12 })
   {
     const double rest = left(LinearMethod::ConjugateGradients, share, name);
@@ -162,16 +159,12 @@ void TestChoice()
     CHECK(left.norm() <= 0.1 * B.norm(), used << " leaves " << left.norm() / B.norm());
     return used;
   };
-  const bool cholmod = SparseCholesky::HasCholmod();
   const std::string exact = SparseCholesky().GetName();
   CHECK(name(100, -1.0, 0.01, 1.0) == exact, "few rows should be factored in double precision");
-  CHECK((name(150, -1.0, 0.01, 1.0) != exact) == cholmod, "many rows in single precision");
+  CHECK(name(150, -1.0, 0.01, 1.0) != exact, "many rows in single precision");
   CHECK(name(150, -1.0, 1e-9, 1e7) == exact, "but not where that has no digits");
-  if (cholmod)
-  {
-    CHECK(name(100, 1000.0, 0.01, 1.0).find("conjugate") != std::string::npos,
-      "a factor that does not fit should not be made");
-  }
+  CHECK(name(100, 1000.0, 0.01, 1.0).find("conjugate") != std::string::npos,
+    "a factor that does not fit should not be made");
 }
 
 /// Only with full-edge weights.

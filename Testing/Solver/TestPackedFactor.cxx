@@ -20,61 +20,74 @@ using RowMajor3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 namespace
 {
-/// Owns what a SupernodalFactor views.
+/// A factor and its pattern.
 struct Blocks
 {
-  std::vector<int> FirstColumn = { 0 };
-  std::vector<int> FirstRow = { 0 };
-  std::vector<int> FirstValue = { 0 };
-  std::vector<int> Rows;
-  std::vector<double> Values;
-  std::vector<int> Permutation;
+  SupernodalPattern Pattern;
+  std::vector<std::vector<double>> Panels;
   std::vector<Eigen::Triplet<double>> Entries; // of L
+
+  Blocks()
+  {
+    this->Pattern.firstColumn = { 0 };
+    this->Pattern.firstRow = { 0 };
+  }
 
   /// A supernode with these rows, its own columns first. @param size  of what is off the diagonal
   void Add(const std::vector<int>& rows, int width, double size, Meshes::Random& random)
   {
-    const int first = this->FirstColumn.back();
-    for (int j = first; j < first + width; ++j)
+    const int first = this->Pattern.firstColumn.back();
+    const SupernodePanel panel(width, static_cast<int>(rows.size()) - width);
+    std::vector<double> values(panel.GetSize(), 0.0);
+    for (int j = 0; j < width; ++j)
     {
-      for (const int i : rows)
+      for (int k = 0; k < static_cast<int>(rows.size()); ++k)
       {
-        const double value = i == j ? 1.5 + random.Unit() : size * random.Signed();
-        this->Values.push_back(i < j ? std::nan("") : value); // means nothing above the diagonal
-        if (i >= j)
+        const double value = k == j ? 1.5 + random.Unit() : size * random.Signed();
+        const int slot = k < width ? k : panel.ownTiles * 8 + k - width;
+        values[panel.GetOffset(slot / 8, j) + slot % 8] =
+          k < j ? std::nan("") : value; // means nothing above the diagonal
+        if (k >= j)
         {
-          this->Entries.emplace_back(i, j, value);
+          this->Entries.emplace_back(rows[k], first + j, value);
         }
       }
     }
-    this->Rows.insert(this->Rows.end(), rows.begin(), rows.end());
-    this->FirstColumn.push_back(first + width);
-    this->FirstRow.push_back(static_cast<int>(this->Rows.size()));
-    this->FirstValue.push_back(static_cast<int>(this->Values.size()));
+    this->Panels.push_back(values);
+    std::vector<int>& all = this->Pattern.rows;
+    all.insert(all.end(), rows.begin(), rows.end());
+    this->Pattern.firstColumn.push_back(first + width);
+    this->Pattern.firstRow.push_back(static_cast<int>(all.size()));
   }
 
   void Permute(Meshes::Random& random)
   {
-    this->Permutation.resize(this->FirstColumn.back());
-    std::iota(this->Permutation.begin(), this->Permutation.end(), 0);
-    for (int i = this->FirstColumn.back() - 1; i > 0; --i)
+    std::vector<int>& permutation = this->Pattern.permutation;
+    permutation.resize(this->Pattern.firstColumn.back());
+    std::iota(permutation.begin(), permutation.end(), 0);
+    for (int i = this->Pattern.firstColumn.back() - 1; i > 0; --i)
     {
-      std::swap(this->Permutation[i], this->Permutation[static_cast<int>(random.Unit() * (i + 1))]);
+      std::swap(permutation[i], permutation[static_cast<int>(random.Unit() * (i + 1))]);
     }
   }
 
   Eigen::SparseMatrix<double> Sparse() const
   {
-    Eigen::SparseMatrix<double> L(this->FirstColumn.back(), this->FirstColumn.back());
+    const int n = this->Pattern.GetNumberOfColumns();
+    Eigen::SparseMatrix<double> L(n, n);
     L.setFromTriplets(this->Entries.begin(), this->Entries.end());
     return L;
   }
 
-  SupernodalFactor View() const
+  template <typename Scalar>
+  PackedFactor<Scalar> Pack() const
   {
-    return { this->FirstColumn.back(), static_cast<int>(this->FirstColumn.size()) - 1,
-      this->FirstColumn.data(), this->FirstRow.data(), this->Rows.data(), this->FirstValue.data(),
-      this->Values.data(), this->Permutation.data() };
+    PackedFactor<Scalar> packed(this->Pattern);
+    for (int s = 0; s < this->Pattern.GetNumberOfSupernodes(); ++s)
+    {
+      packed.Set(s, this->Panels[s].data());
+    }
+    return packed;
   }
 };
 
@@ -85,7 +98,7 @@ Blocks RandomBlocks(const std::vector<int>& widths, double fill, Meshes::Random&
   const int n = std::accumulate(widths.begin(), widths.end(), 0);
   for (const int width : widths)
   {
-    const int first = blocks.FirstColumn.back();
+    const int first = blocks.Pattern.firstColumn.back();
     std::vector<int> rows;
     for (int i = first; i < n; ++i)
     {
@@ -108,7 +121,7 @@ void CheckSolve(const std::vector<int>& widths, double fill, Meshes::Random& ran
   // Row k of P A P^T is row permutation[k] of A.
   const MatrixXd permuted = L * L.transpose();
   MatrixXd A(n, n);
-  A(blocks.Permutation, blocks.Permutation) = permuted;
+  A(blocks.Pattern.permutation, blocks.Pattern.permutation) = permuted;
   RowMajor3 x(n, 3);
   for (int i = 0; i < n; ++i)
   {
@@ -125,8 +138,8 @@ void CheckSolve(const std::vector<int>& widths, double fill, Meshes::Random& ran
     factor.Solve(again, 2);
     CHECK(again == solved, "a second solve, on two threads, should give the same bits");
   };
-  check(PackedFactor<double>(blocks.View()), 1e-13);
-  check(PackedFactor<float>(blocks.View()), 1e-5);
+  check(blocks.Pack<double>(), 1e-13);
+  check(blocks.Pack<float>(), 1e-5);
 }
 
 /// Leaves of a few columns that reach into one supernode at the end, as a tree of many subtrees.
@@ -155,11 +168,10 @@ void TestSubtrees()
 {
   Meshes::Random random(2);
   const Blocks blocks = Arrow(3000, 3, 11, random);
-  const SupernodalFactor factor = blocks.View();
-  const SupernodalTasks tasks(factor);
+  const SupernodalTasks tasks(blocks.Pattern);
   CHECK(tasks.GetSubtrees().size() > 10,
     "there should be subtrees, there are " << tasks.GetSubtrees().size());
-  std::vector<int> covered(factor.numberOfSupernodes, 0);
+  std::vector<int> covered(blocks.Pattern.GetNumberOfSupernodes(), 0);
   for (const SupernodalTasks::Range& range : tasks.GetSubtrees())
   {
     for (int s = range.first; s < range.last; ++s)
@@ -175,7 +187,7 @@ void TestSubtrees()
     "every supernode should be worked on once");
 
   const Eigen::SparseMatrix<double> L = blocks.Sparse();
-  const int n = factor.numberOfColumns;
+  const int n = blocks.Pattern.GetNumberOfColumns();
   RowMajor3 x(n, 3);
   for (int i = 0; i < n; ++i)
   {
@@ -184,8 +196,8 @@ void TestSubtrees()
   const RowMajor3 permuted = L * (L.transpose() * x);
   RowMajor3 b(n, 3);
   RowMajor3 expected(n, 3);
-  b(blocks.Permutation, Eigen::all) = permuted;
-  expected(blocks.Permutation, Eigen::all) = x;
+  b(blocks.Pattern.permutation, Eigen::all) = permuted;
+  expected(blocks.Pattern.permutation, Eigen::all) = x;
   const auto check = [&](const auto& packed, double tolerance)
   {
     RowMajor3 first;
@@ -199,12 +211,11 @@ void TestSubtrees()
       CHECK(solved == first, threads << " threads should give the same bits as one");
     }
   };
-  check(PackedFactor<double>(factor), 1e-12);
-  check(PackedFactor<double>(factor, 3), 1e-12);
-  check(PackedFactor<float>(factor, 3), 1e-4);
+  check(blocks.Pack<double>(), 1e-12);
+  check(blocks.Pack<float>(), 1e-4);
 }
 
-/// A factor as it comes, of a grid: its tree is one of nested parts.
+/// The factor of a grid: its tree is one of nested parts.
 void TestGrid()
 {
   const int side = 120;

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Memory for vectors.
+#ifndef SphericalStyle_AlignedArray_h
+#define SphericalStyle_AlignedArray_h
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace SphericalStyle
+{
+/// An array of numbers that starts at a multiple of 64 bytes and is not initialised. A large one is
+/// in huge pages where the system has them: touching small ones for the first time takes longer
+/// than writing to them.
+template <typename T>
+class AlignedArray
+{
+public:
+  AlignedArray() = default;
+  explicit AlignedArray(std::size_t size) { this->Resize(size); }
+
+  /// Keeps what is there only if it is as large already. @throw std::bad_alloc
+  void Resize(std::size_t size)
+  {
+    if (size != this->Size)
+    {
+      this->Memory.reset();
+      this->Size = 0;
+      const std::size_t bytes = std::max<std::size_t>(size * sizeof(T), 1);
+      const bool large = bytes >= 2 * HugePage;
+      const std::align_val_t alignment{ large ? HugePage : Alignment };
+      this->Memory = { static_cast<T*>(::operator new(bytes, alignment)), { alignment } };
+      this->Size = size;
+#ifdef MADV_HUGEPAGE
+      if (large)
+      {
+        madvise(this->Memory.get(), bytes / HugePage * HugePage, MADV_HUGEPAGE);
+      }
+#endif
+    }
+  }
+  T* Get() const
+  {
+    return this->Memory.get();
+  }
+  std::size_t GetSize() const
+  {
+    return this->Size;
+  }
+
+private:
+  static constexpr std::size_t Alignment = 64;
+  static constexpr std::size_t HugePage = std::size_t(2) << 20;
+
+  struct Delete
+  {
+    void operator()(T* memory) const { ::operator delete(memory, this->alignment); }
+    std::align_val_t alignment{ Alignment };
+  };
+  std::unique_ptr<T, Delete> Memory;
+  std::size_t Size = 0;
+};
+} // namespace SphericalStyle
+
+#endif
