@@ -5,8 +5,7 @@
 #include "Frame.h"
 #include "Parallel.h"
 #include "SurfaceMeasures.h"
-
-#include <unsupported/Eigen/BVH>
+#include "TriangleTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,29 +20,13 @@ namespace
 constexpr double Nearest = 1e-6;  // far above the rounding of points of single precision
 constexpr double Rounding = 1e-9; // a ray through an edge must not pass between its triangles
 
-using Tree = Eigen::KdBVH<double, 3, int>;
-
-Tree MakeTree(const TriangleMesh& mesh)
-{
-  std::vector<int> triangles(mesh.F.rows());
-  std::vector<Eigen::AlignedBox3d> boxes(mesh.F.rows());
-  for (int f = 0; f < static_cast<int>(mesh.F.rows()); ++f)
-  {
-    triangles[f] = f;
-    for (int k = 0; k < 3; ++k)
-    {
-      boxes[f].extend(mesh.P.row(mesh.F(f, k)).transpose());
-    }
-  }
-  return Tree(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
-}
-
 /// What a ray from a point of the mesh hits first, nearer than its reach.
 struct FirstHit
 {
   static constexpr double Nothing = std::numeric_limits<double>::infinity();
 
-  const TriangleMesh& Mesh;
+  const Points& P;
+  const Triangles& F;
   int Point;
   Eigen::Vector3d Origin;
   Eigen::Vector3d Direction;
@@ -53,43 +36,44 @@ struct FirstHit
   int Triangle = -1;
   Eigen::Vector2d Place = { 0.0, 0.0 }; // barycentric coordinates 1 and 2
 
-  FirstHit(const TriangleMesh& mesh, int point, const Eigen::Vector3d& direction, double reach)
-    : Mesh(mesh)
+  FirstHit(const Points& points, const Triangles& triangles, int point,
+    const Eigen::Vector3d& direction, double reach)
+    : P(points)
+    , F(triangles)
     , Point(point)
-    , Origin(mesh.P.row(point))
+    , Origin(points.row(point))
     , Direction(direction)
     , Inverse(direction.unaryExpr([](double x) { return 1.0 / (x == 0.0 ? 1e-300 : x); }))
     , Distance(reach)
   {
   }
 
-  /// Looks through what is below a node of the tree, nearest boxes first. (Eigen::BVMinimize does
-  /// the same with a queue on the heap for each ray, in twice the time.)
-  void Search(const Tree& tree, int node)
+  /// Looks through what is below a node of the tree, nearest boxes first.
+  void Search(const TriangleTree& tree, const TriangleTree::Node& node)
   {
-    Tree::VolumeIterator box = nullptr, boxesEnd = nullptr;
-    Tree::ObjectIterator triangle = nullptr, trianglesEnd = nullptr;
-    tree.getChildren(node, box, boxesEnd, triangle, trianglesEnd);
-    for (; triangle != trianglesEnd; ++triangle)
+    if (tree.IsLeaf(node))
     {
-      this->Test(*triangle);
+      std::for_each(tree.Begin(node), tree.End(node), [this](int f) { this->Test(f); });
+      return;
     }
-    std::pair<double, int> nodes[2];
-    int count = 0;
-    for (; box != boxesEnd; ++box)
+    TriangleTree::Node near = tree.GetLeft(node);
+    TriangleTree::Node far = tree.GetRight(node);
+    double toNear = this->DistanceOf(tree.GetBox(near));
+    double toFar = this->DistanceOf(tree.GetBox(far));
+    if (toFar < toNear)
     {
-      nodes[count++] = { this->DistanceOf(tree.getVolume(*box)), *box };
+      std::swap(near, far);
+      std::swap(toNear, toFar);
     }
-    if (count == 2 && nodes[1] < nodes[0])
+    this->SearchWithin(tree, near, toNear);
+    this->SearchWithin(tree, far, toFar);
+  }
+
+  void SearchWithin(const TriangleTree& tree, const TriangleTree::Node& node, double distance)
+  {
+    if (distance < Nothing && distance <= this->Distance)
     {
-      std::swap(nodes[0], nodes[1]);
-    }
-    for (int i = 0; i < count; ++i)
-    {
-      if (nodes[i].first < Nothing && nodes[i].first <= this->Distance)
-      {
-        this->Search(tree, nodes[i].second);
-      }
+      this->Search(tree, node);
     }
   }
 
@@ -108,14 +92,14 @@ struct FirstHit
   /// ray/triangle intersection, 1997). Of two at one distance the first triangle is taken.
   void Test(int f)
   {
-    const auto corners = this->Mesh.F.row(f);
+    const auto corners = this->F.row(f);
     if ((corners.array() == this->Point).any())
     {
       return;
     }
-    const Eigen::Vector3d a = this->Mesh.P.row(corners(0));
-    const Eigen::Vector3d ab = this->Mesh.P.row(corners(1)).transpose() - a;
-    const Eigen::Vector3d ac = this->Mesh.P.row(corners(2)).transpose() - a;
+    const Eigen::Vector3d a = this->P.row(corners(0));
+    const Eigen::Vector3d ab = this->P.row(corners(1)).transpose() - a;
+    const Eigen::Vector3d ac = this->P.row(corners(2)).transpose() - a;
     const Eigen::Vector3d across = this->Direction.cross(ac);
     const double determinant = ab.dot(across);
     if (std::abs(determinant) <= 1e-12 * ab.norm() * ac.norm()) // along the ray
@@ -147,10 +131,10 @@ ThicknessProbes PlaceThicknessProbes(
   {
     return probes;
   }
-  const TriangleMesh mesh = { FrameOf(rest.P).Into(rest.P), rest.F };
-  const double inward = EnclosedVolume(mesh.P, mesh.F) < 0.0 ? 1.0 : -1.0;
-  const Points normals = PointNormals(mesh.P, mesh.F);
-  const Tree tree = MakeTree(mesh);
+  const Points P = FrameOf(rest.P).Into(rest.P);
+  const double inward = EnclosedVolume(P, rest.F) < 0.0 ? 1.0 : -1.0;
+  const Points normals = PointNormals(P, rest.F);
+  const TriangleTree tree(P, rest.F);
 
   const int n = static_cast<int>(points.size());
   std::vector<int> triangles(n, -1);
@@ -161,10 +145,10 @@ ThicknessProbes PlaceThicknessProbes(
       for (int i = begin; i < end; ++i)
       {
         const Eigen::Vector3d normal = normals.row(points[i]);
-        FirstHit hit(mesh, points[i], inward * normal, reach);
+        FirstHit hit(P, rest.F, points[i], inward * normal, reach);
         if (normal.norm() > 0.5)
         {
-          hit.Search(tree, tree.getRootIndex());
+          hit.Search(tree, tree.GetRoot());
         }
         if (hit.Triangle >= 0)
         {
