@@ -41,11 +41,11 @@ bool CannotThin(const StyleOptions& o, const StyleReport& report)
 }
 }
 
-void vtkStyleReview::SetMesh(const TriangleMesh& mesh, int generation)
+void vtkStyleReview::SetMesh(const TriangleMesh& mesh, int components, int generation)
 {
   if (generation != this->Generation)
   {
-    this->Facts = MeasureSurface(mesh);
+    this->Facts = MeasureSurface(mesh, components);
     this->HasProbes = false;
     this->Generation = generation;
   }
@@ -81,7 +81,7 @@ std::string vtkStyleReview::LookAtThickness(
 vtkStyleReview::Remarks vtkStyleReview::Look(const vtkSurfaceMesh& surface, int generation,
   const Points& Q, const StyleOptions& o, const StyleReport& report)
 {
-  this->SetMesh(surface.Mesh, generation);
+  this->SetMesh(surface.Mesh, report.components, generation);
   Remarks remarks;
   if (!CannotThin(o, report))
   {

@@ -30,7 +30,7 @@ public:
     const SphericalStyle::StyleOptions& o, const SphericalStyle::StyleReport& report);
 
 private:
-  void SetMesh(const SphericalStyle::TriangleMesh& mesh, int generation);
+  void SetMesh(const SphericalStyle::TriangleMesh& mesh, int components, int generation);
   std::string LookAtThickness(
     const vtkSurfaceMesh& surface, const SphericalStyle::Points& Q, int threads);
 

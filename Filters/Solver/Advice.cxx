@@ -161,7 +161,7 @@ bool UsesNormals(const StyleOptions& o)
 }
 }
 
-SurfaceFacts MeasureSurface(const TriangleMesh& mesh)
+SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components)
 {
   const Points& P = mesh.P;
   const Triangles& F = mesh.F;
@@ -188,7 +188,7 @@ SurfaceFacts MeasureSurface(const TriangleMesh& mesh)
   facts.longEdgeShare /= areas.sum();
   facts.areaFactor = std::exp(LogSpread(areas));
   facts.curvature = AbsoluteCurvature(mesh, angleSums);
-  facts.components = MeshTopology(F, static_cast<int>(P.rows())).GetNumberOfComponents();
+  facts.components = components;
   return facts;
 }
 

@@ -21,7 +21,8 @@ struct SurfaceFacts
   int components = 0;
 };
 constexpr double LongEdge = 0.1;
-SurfaceFacts MeasureSurface(const TriangleMesh& mesh);
+/// @param components  of the mesh: StyleReport::components
+SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components);
 
 /// What matters of a result. Shares are 0..1.
 struct ResultFacts

@@ -439,6 +439,7 @@ EdgeWeights StyleSolver::State::Prepare(const StyleOptions& options, StyleReport
   const Stopwatch triangles;
   this->UpdateTriangles(ShapeOf(options, this->Surface.Topology));
   report.seconds.triangles = triangles.Seconds();
+  report.components = this->Surface.Topology.GetNumberOfComponents();
   report.edgeFlips = this->Summed().NumberOfFlips;
   report.negativeEdges = this->Summed().NumberOfNegativeEdges;
   report.wallStitches = this->Summed().NumberOfWallStitches;

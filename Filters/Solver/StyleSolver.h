@@ -96,6 +96,7 @@ struct StyleReport
   Sphere sphere;                   ///< what was used, model units; of the first center
   std::vector<Sphere> spheres;     ///< of every center
   bool closedForm = false;         ///< the minimum was known: nothing was solved [blend]
+  int components = 0;              ///< of the triangles as given
   std::vector<int> pointsOnCenter; ///< points without a direction of their own
   int concaveHalfEdges = 0;        ///< flipped or zeroed
   int edgeFlips = -1;              ///< with IntrinsicDelaunay; -1 otherwise

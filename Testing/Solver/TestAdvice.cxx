@@ -32,7 +32,7 @@ Outcome Run(const TriangleMesh& mesh, const StyleOptions& options)
   solver.SetMesh(mesh);
   const StyleReport report = solver.Solve(options);
   Outcome outcome;
-  outcome.surface = MeasureSurface(mesh);
+  outcome.surface = MeasureSurface(mesh, report.components);
   outcome.result = MeasureResult(mesh, solver.GetPositions(), options, report);
   outcome.advice = Advise(options, outcome.surface, outcome.result, true);
   return outcome;
@@ -105,29 +105,31 @@ void TestSurfaceFacts()
 {
   // Box of half edges 1, 2, 3: right angles and diagonals, all edges long, areas 2, 3 and 6
   // times 2.
-  const SurfaceFacts box = MeasureSurface(Meshes::Box(1, { 1, 2, 3 }));
-  CHECK(box.obtuseShare == 0.0 && box.longEdgeShare == 1.0 && box.components == 1,
-    "a box has no obtuse triangle, long edges, one part");
+  const SurfaceFacts box = MeasureSurface(Meshes::Box(1, { 1, 2, 3 }), 1);
+  CHECK(
+    box.obtuseShare == 0.0 && box.longEdgeShare == 1.0, "a box has no obtuse triangle, long edges");
   CHECK_NEAR(box.curvature, 1.0, 1e-14, "curvature of a convex body");
   const Eigen::Array3d logarithms(std::log(2.0), std::log(3.0), std::log(6.0));
   CHECK_NEAR(box.areaFactor, std::exp(std::sqrt((logarithms - logarithms.mean()).square().mean())),
     1e-13, "areas of a box");
-  const SurfaceFacts fine = MeasureSurface(Meshes::Box(40, { 1, 2, 3 }));
+  const SurfaceFacts fine = MeasureSurface(Meshes::Box(40, { 1, 2, 3 }), 1);
   CHECK(fine.longEdgeShare == 0.0, "a fine box has no long edges: " << fine.longEdgeShare);
 
   const TriangleMesh house = Meshes::House();
-  CHECK_NEAR(MeasureSurface(house).obtuseShare,
+  CHECK_NEAR(MeasureSurface(house, 1).obtuseShare,
     static_cast<double>(Meshes::CountObtuse(house)) / static_cast<double>(house.F.rows()), 1e-15,
     "obtuse triangles of the house");
-  CHECK(MeasureSurface(Meshes::TwoComponents()).components == 2, "two parts");
+  StyleSolver solver;
+  solver.SetMesh(Meshes::TwoComponents());
+  CHECK(solver.Solve({}).components == 2, "two parts");
   // Border points have no curvature: what is left of a flat sheet is 0.
-  CHECK_NEAR(MeasureSurface(Meshes::Patch(8, 0.0)).curvature, 0.0, 1e-12, "a flat sheet");
-  CHECK_NEAR(MeasureSurface(Meshes::Ellipsoid(4)).curvature, 1.0, 1e-12, "a convex body");
-  CHECK(MeasureSurface(Bumpy()).curvature > 10.0, "bumps are bent");
+  CHECK_NEAR(MeasureSurface(Meshes::Patch(8, 0.0), 1).curvature, 0.0, 1e-12, "a flat sheet");
+  CHECK_NEAR(MeasureSurface(Meshes::Ellipsoid(4), 1).curvature, 1.0, 1e-12, "a convex body");
+  CHECK(MeasureSurface(Bumpy(), 1).curvature > 10.0, "bumps are bent");
   const TriangleMesh moved = { (1e3 * Bumpy().P).rowwise() + Eigen::RowVector3d(1e4, 0, 0),
     Bumpy().F };
-  CHECK_NEAR(
-    MeasureSurface(moved).curvature, MeasureSurface(Bumpy()).curvature, 1e-6, "moved and scaled");
+  CHECK_NEAR(MeasureSurface(moved, 1).curvature, MeasureSurface(Bumpy(), 1).curvature, 1e-6,
+    "moved and scaled");
 }
 
 void TestCenterFacts()
