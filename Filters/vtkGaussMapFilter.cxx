@@ -211,16 +211,13 @@ void vtkGaussMapFilter::Internals::Warn(
   {
     warn("the input has no normals to count");
   }
-  if (surface.FannedPolygons > 0)
+  for (const std::string& remark : { vtkSurfaceMeshConversion::FannedRemark(surface),
+         vtkSurfaceMeshConversion::SkippedRemark(surface) })
   {
-    warn("cut " + Count(surface.FannedPolygons, "polygon") +
-      " that cannot be triangulated as fans, the first is cell " +
-      std::to_string(surface.FirstFannedPolygon));
-  }
-  if (surface.DegenerateTriangles > 0)
-  {
-    warn("skipped " + Count(surface.DegenerateTriangles, "degenerate triangle") +
-      ", the first in cell " + std::to_string(surface.FirstDegenerateCell));
+    if (!remark.empty())
+    {
+      warn(remark);
+    }
   }
   if (without > 0)
   {

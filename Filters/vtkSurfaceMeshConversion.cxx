@@ -578,6 +578,7 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
   using Corners = std::array<vtkIdType, 3>;
   std::vector<Corners> triangles; // by input points
   triangles.reserve(input->GetNumberOfPolys());
+  surface.Cells.reserve(input->GetNumberOfPolys());
   FaceTriangles faces(input);
   const auto isDegenerate = [&](vtkIdType a, vtkIdType b, vtkIdType c)
   {
@@ -708,6 +709,23 @@ WholeSurface Whole(vtkPolyData* input)
   return whole;
 }
 
+std::string FannedRemark(const vtkSurfaceMesh& surface)
+{
+  return surface.FannedPolygons == 0
+    ? std::string()
+    : "cut " + vtkFilterSupport::Count(surface.FannedPolygons, "polygon") +
+      " that cannot be triangulated as fans, the first is cell " +
+      std::to_string(surface.FirstFannedPolygon);
+}
+
+std::string SkippedRemark(const vtkSurfaceMesh& surface)
+{
+  return surface.DegenerateTriangles == 0
+    ? std::string()
+    : "skipped " + vtkFilterSupport::Count(surface.DegenerateTriangles, "degenerate triangle") +
+      ", the first in cell " + std::to_string(surface.FirstDegenerateCell);
+}
+
 std::vector<std::string> Remarks(const vtkSurfaceMesh& surface)
 {
   std::vector<std::string> remarks;
@@ -715,18 +733,13 @@ std::vector<std::string> Remarks(const vtkSurfaceMesh& surface)
   {
     remarks.emplace_back("the input has no triangle with an area: nothing moves");
   }
-  if (surface.FannedPolygons > 0)
+  if (const std::string fanned = FannedRemark(surface); !fanned.empty())
   {
-    remarks.push_back("cut " + vtkFilterSupport::Count(surface.FannedPolygons, "polygon") +
-      " that cannot be triangulated as fans, the first is cell " +
-      std::to_string(surface.FirstFannedPolygon));
+    remarks.push_back(fanned);
   }
-  if (surface.DegenerateTriangles > 0)
+  if (const std::string skipped = SkippedRemark(surface); !skipped.empty())
   {
-    remarks.push_back("skipped " +
-      vtkFilterSupport::Count(surface.DegenerateTriangles, "degenerate triangle") +
-      ", the first in cell " + std::to_string(surface.FirstDegenerateCell) +
-      "; points of no other triangle stay in place");
+    remarks.push_back(skipped + "; points of no other triangle stay in place");
   }
   return remarks;
 }

@@ -98,7 +98,11 @@ struct WholeSurface
 ///        triangles or points
 WholeSurface Whole(vtkPolyData* input);
 
-/// What was left out or repaired, in words for warnings.
+/// Polygons that had to be cut as fans, triangles that were skipped, in words for warnings; empty
+/// where there are none.
+std::string FannedRemark(const vtkSurfaceMesh& surface);
+std::string SkippedRemark(const vtkSurfaceMesh& surface);
+/// These, and that nothing moves where there is no triangle: for filters that move points.
 std::vector<std::string> Remarks(const vtkSurfaceMesh& surface);
 
 /// What a point array must be like.

@@ -512,11 +512,9 @@ int vtkSurfaceMetrics::Execute(
     vtkWarningMacro(<< InBlock(this)
                     << "the input has no triangle with an area: there is nothing to measure");
   }
-  if (surface.FannedPolygons > 0)
+  if (const std::string fanned = vtkSurfaceMeshConversion::FannedRemark(surface); !fanned.empty())
   {
-    vtkWarningMacro(<< InBlock(this) << "cut " << Count(surface.FannedPolygons, "polygon")
-                    << " that cannot be triangulated as fans, the first is cell "
-                    << surface.FirstFannedPolygon);
+    vtkWarningMacro(<< InBlock(this) << fanned);
   }
   return 1;
 }
