@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SupernodalPattern.h"
 
+#include "TriangleMesh.h"
+
 #include <Eigen/OrderingMethods>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace SphericalStyle
@@ -296,6 +299,10 @@ SupernodalPattern::SupernodalPattern(const Matrix& A)
     next[s] = this->firstColumn.back();
     this->firstColumn.push_back(next[s] + nodes.columns[s]);
     size += nodes.columns[s] + nodes.below[s];
+  }
+  if (size > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+  {
+    throw SolverError("the factor of the system matrix has too many rows to be counted");
   }
   std::vector<int> column(n); // of what is eliminated as the k-th
   this->permutation.resize(n);

@@ -32,6 +32,7 @@ struct SupernodalPattern
   /// price of some zeros (C. Ashcraft and R. Grimes, The influence of relaxed supernode partitions
   /// on the multifrontal method, 1989).
   /// @param A  its lower triangle; values do not matter
+  /// @throw SolverError if there are too many rows to be counted; std::bad_alloc
   explicit SupernodalPattern(const Matrix& A);
 
   int GetNumberOfColumns() const { return static_cast<int>(this->permutation.size()); }
