@@ -11,6 +11,14 @@
 #include "vtkImageData.h"
 #include "vtkTable.h"
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SANITIZED            ///< memory is the sanitizer's
+#elif defined(__has_feature) // Clang
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define SANITIZED
+#endif
+#endif
+
 namespace FilterTesting
 {
 /// A copy of every output, without the seconds it took.

@@ -6,7 +6,10 @@
 
 #include "vtkWeakPointer.h"
 
-#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33) // mallinfo2
+#if defined(SANITIZED)
+#include <sanitizer/allocator_interface.h>
+#define COUNTS_BYTES
+#elif defined(__GLIBC__) && __GLIBC_PREREQ(2, 33) // mallinfo2
 #include <malloc.h>
 #define COUNTS_BYTES
 #endif
@@ -18,7 +21,9 @@ namespace
 /// Bytes that are taken from malloc and not given back.
 std::size_t BytesInUse()
 {
-#ifdef COUNTS_BYTES
+#if defined(SANITIZED)
+  return __sanitizer_get_current_allocated_bytes();
+#elif defined(COUNTS_BYTES)
   const struct mallinfo2 info = mallinfo2();
   return info.uordblks + info.hblkhd;
 #else

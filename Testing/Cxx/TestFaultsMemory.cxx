@@ -2,15 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Every filter with too little memory, in a process of its own: an error and no output, or the
 /// result that there is with enough of it; and once there is enough again, that result to the bit.
+/// Skipped where addresses cannot be limited, which is also so with sanitizers.
 #include "FaultTesting.h"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SANITIZED
-#elif defined(__has_feature) // Clang
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define SANITIZED
-#endif
-#endif
 #if defined(__linux__) && !defined(SANITIZED) // a sanitizer takes terabytes of addresses
 #define LIMITS_MEMORY
 #include <csignal>
@@ -145,8 +139,8 @@ int CheckShort(Checker& check, const Subject& subject, vtkPolyData* input)
 
 int TestFaultsMemory(int, char*[])
 {
-  Checker check;
 #ifdef LIMITS_MEMORY
+  Checker check;
   const Surface input = MakeBumpyBall(24, 30);
   int refused = 0;
   for (const Subject& subject : Subjects())
@@ -156,6 +150,9 @@ int TestFaultsMemory(int, char*[])
   check.About("all filters");
   check(refused > 0, "somewhere memory should not be enough");
   std::cout << refused << " executions ended for want of memory\n";
-#endif
   return check.Result();
+#else
+  std::cout << "skipped: addresses cannot be limited here\n";
+  return 77;
+#endif
 }
