@@ -272,8 +272,7 @@ void TestDegenerate()
 {
   const auto roll = [](const Points& P)
   {
-    Points up = Points::Zero(P.rows(), 3);
-    up.col(2).setOnes();
+    const Points up = Eigen::RowVector3d::UnitZ().replicate(P.rows(), 1);
     Triangles F = BallPivoting(P, up, { 0.5, 1.0, 5.0 });
     CHECK(F.rows() == 0 || F.maxCoeff() < P.rows(), "corners should be points");
     CHECK(AreEdgesManifold(F), "an edge should have each direction once");
@@ -286,8 +285,7 @@ void TestDegenerate()
   {
     CHECK(roll(Points::Zero(n, 3)).rows() == 0, n << " points at one place have no triangles");
     CHECK(roll(Points::Constant(n, 3, 7.7)).rows() == 0, n << " points at one place");
-    Points line = Points::Zero(n, 3);
-    line.col(1) = 0.3 * Eigen::VectorXd::LinSpaced(n, 0, n);
+    const Points line = 0.3 * Eigen::VectorXd::LinSpaced(n, 0, n) * Eigen::RowVector3d::UnitY();
     CHECK(roll(line).rows() == 0 || n > 3, n << " points on a line have no triangles");
   }
   const TriangleMesh patch = Meshes::Patch(8, 0.0);
