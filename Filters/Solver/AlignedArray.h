@@ -23,9 +23,6 @@ template <typename T>
 class AlignedArray
 {
 public:
-  AlignedArray() = default;
-  explicit AlignedArray(std::size_t size) { this->Resize(size); }
-
   /// Keeps what is there only if it is as large already. @throw std::bad_alloc
   void Resize(std::size_t size)
   {

@@ -144,20 +144,27 @@ struct Kernel
     }
   }
 
+  /// Column j of c without what the columns before it take, by the triangle beside them.
+  SPHERICALSTYLE_INLINE static Row WithoutBefore(const double* triangle, int j, const double* c)
+  {
+    Row x;
+    x.Load(c + j * Tile);
+    for (int q = 0; q < j; ++q)
+    {
+      Row before;
+      before.Load(c + q * Tile);
+      x.Subtract(before, triangle[q * Tile + j]);
+    }
+    return x;
+  }
+
   /// c := c L^-T for the triangle L of `width` columns.
   SPHERICALSTYLE_INLINE static void SolveTile(
     const double* triangle, const double* inverse, int width, double* c)
   {
     for (int j = 0; j < width; ++j)
     {
-      Row x;
-      x.Load(c + j * Tile);
-      for (int q = 0; q < j; ++q)
-      {
-        Row before;
-        before.Load(c + q * Tile);
-        x.Subtract(before, triangle[q * Tile + j]);
-      }
+      Row x = WithoutBefore(triangle, j, c);
       x.Scale(inverse[j]);
       x.Store(c + j * Tile);
     }
@@ -173,14 +180,7 @@ struct Kernel
     double* inverse = front.inverse + tile * Tile;
     for (int j = 0; j < width; ++j)
     {
-      Row x;
-      x.Load(c + j * Tile);
-      for (int q = 0; q < j; ++q)
-      {
-        Row before;
-        before.Load(c + q * Tile);
-        x.Subtract(before, c[q * Tile + j]);
-      }
+      Row x = WithoutBefore(c, j, c);
       x.Store(c + j * Tile);
       const double pivot = c[j * Tile + j];
       if (!(pivot > 0.0))
@@ -362,7 +362,7 @@ private:
   /// What a thread works in, kept from front to front.
   struct Room
   {
-    std::vector<double> panel;
+    AlignedArray<double> panel;
     std::vector<double> inverse;
     std::vector<int> slots;              // of the rows of a child
     std::vector<std::ptrdiff_t> offsets; // where those go
@@ -405,12 +405,11 @@ private:
   bool Factor(int s, int threads, Room& room)
   {
     Front front(this->L.GetColumns(s), this->L.GetRowsBelow(s));
-    const std::size_t size = front.GetSize() + Tile; // aligned within
-    if (room.panel.size() < size)
+    if (room.panel.GetSize() < front.GetSize())
     {
-      room.panel.resize(size);
+      room.panel.Resize(front.GetSize());
     }
-    front.panel = Align(room.panel.data());
+    front.panel = room.panel.Get();
     std::fill_n(front.panel, front.GetSize(), 0.0);
     room.inverse.resize(
       std::max(room.inverse.size(), static_cast<std::size_t>(front.ownTiles) * Tile));
@@ -432,12 +431,6 @@ private:
     }
     this->KeepPanel(s, front.panel);
     return true;
-  }
-
-  static double* Align(double* p)
-  {
-    constexpr std::size_t bytes = Tile * sizeof(double);
-    return p + (bytes - reinterpret_cast<std::size_t>(p) % bytes) % bytes / sizeof(double);
   }
 
   /// Adds the columns of A.

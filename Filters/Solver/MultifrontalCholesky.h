@@ -33,8 +33,7 @@ enum class InstructionSet
 /// @param A  its lower triangle
 /// @param pattern  of L, with the parents after their children @param tasks  those of the pattern
 /// @param keep  is called once with each supernode and its numbers, laid out as SupernodePanel
-/// says;
-///   from several threads at once, for different supernodes
+///   says; from several threads at once, for different supernodes
 /// @param set  what the processor does not have is not taken
 /// @return false if A is not positive definite
 /// @throw std::bad_alloc

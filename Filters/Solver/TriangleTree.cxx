@@ -115,10 +115,6 @@ private:
 
 TriangleTree::TriangleTree(const Points& P, const Triangles& F)
 {
-  if (F.rows() > 0)
-  {
-    Builder builder(*this, P, F);
-    builder.Build(this->GetRoot());
-  }
+  Builder(*this, P, F).Build(this->GetRoot());
 }
 } // namespace SphericalStyle

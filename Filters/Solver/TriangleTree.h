@@ -21,6 +21,7 @@ namespace SphericalStyle
 class TriangleTree
 {
 public:
+  /// @param F  at least one triangle
   TriangleTree(const Points& P, const Triangles& F);
 
   /// Part of the tree: groups first..last - 1. Its box is that of the index.
@@ -30,7 +31,6 @@ public:
     int first;
     int last;
   };
-  bool IsEmpty() const { return this->Order.empty(); }
   Node GetRoot() const { return { 0, 0, this->CountGroups() }; }
   const Eigen::AlignedBox3d& GetBox(const Node& node) const { return this->Boxes[node.index]; }
 

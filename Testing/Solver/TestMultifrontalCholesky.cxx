@@ -22,11 +22,11 @@ using Matrix = SupernodalPattern::Matrix;
 
 namespace
 {
-/// Diagonally dominant, or not: with `hold` taken from the diagonal.
-Matrix FromEdges(int n, const Edges& edges, Meshes::Random& random, double hold = 0.1)
+/// A Laplacian of random weights, held: positive definite.
+Matrix FromEdges(int n, const Edges& edges, Meshes::Random& random)
 {
   std::vector<Eigen::Triplet<double>> entries;
-  Eigen::VectorXd diagonal = Eigen::VectorXd::Constant(n, hold);
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Constant(n, 0.1);
   for (const auto& [u, v] : edges)
   {
     const double weight = 0.5 + random.Unit();
