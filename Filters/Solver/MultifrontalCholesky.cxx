@@ -318,6 +318,7 @@ public:
     , FirstChild(L.GetNumberOfSupernodes(), -1)
     , NextSibling(L.GetNumberOfSupernodes(), -1)
     , Updates(L.GetNumberOfSupernodes())
+    , A(A, L.permutation)
   {
     const std::vector<int> parents = L.GetParents();
     for (int s = L.GetNumberOfSupernodes() - 1; s >= 0; --s)
@@ -328,7 +329,6 @@ public:
         this->FirstChild[parents[s]] = s;
       }
     }
-    this->Permute(A);
   }
 
   bool Run(const SupernodalTasks& tasks, int threads)
@@ -368,40 +368,6 @@ private:
     std::vector<std::ptrdiff_t> offsets; // where those go
   };
 
-  /// The lower triangle of P A P^T, by columns; rows in any order.
-  void Permute(const Matrix& A)
-  {
-    const int n = this->L.GetNumberOfColumns();
-    std::vector<int> position(n);
-    for (int k = 0; k < n; ++k)
-    {
-      position[this->L.permutation[k]] = k;
-    }
-    const auto forEach = [&](const auto& body)
-    {
-      for (int j = 0; j < n; ++j)
-      {
-        for (Matrix::InnerIterator entry(A, j); entry; ++entry)
-        {
-          const auto [column, row] = std::minmax(position[entry.row()], position[j]);
-          body(column, row, entry.value());
-        }
-      }
-    };
-    this->FirstEntry.assign(n + 1, 0);
-    forEach([&](int column, int, double) { ++this->FirstEntry[column + 1]; });
-    for (int k = 0; k < n; ++k)
-    {
-      this->FirstEntry[k + 1] += this->FirstEntry[k];
-    }
-    this->Entries.resize(this->FirstEntry[n]);
-    std::vector<int> next(this->FirstEntry.begin(), this->FirstEntry.end() - 1);
-    forEach(
-      [&](int column, int row, double value) {
-        this->Entries[next[column]++] = { value, row };
-      });
-  }
-
   bool Factor(int s, int threads, Room& room)
   {
     Front front(this->L.GetColumns(s), this->L.GetRowsBelow(s));
@@ -440,14 +406,13 @@ private:
     const int* below = this->L.GetBelow(s);
     for (int j = 0; j < front.columns; ++j)
     {
-      for (int k = this->FirstEntry[first + j]; k < this->FirstEntry[first + j + 1]; ++k)
+      for (const auto* entry = this->A.Begin(first + j); entry != this->A.End(first + j); ++entry)
       {
-        const Entry& entry = this->Entries[k];
-        const int own = entry.row - first;
+        const int own = entry->row - first;
         const auto slot = own < front.columns ? own
                                               : front.ownTiles * Tile +
-            (std::lower_bound(below, below + front.rowsBelow, entry.row) - below);
-        front.At(static_cast<int>(slot / Tile), j)[slot % Tile] += entry.value;
+            (std::lower_bound(below, below + front.rowsBelow, entry->row) - below);
+        front.At(static_cast<int>(slot / Tile), j)[slot % Tile] += entry->value;
       }
     }
   }
@@ -568,20 +533,13 @@ private:
     return true;
   }
 
-  struct Entry
-  {
-    double value;
-    int row;
-  };
-
   const SupernodalPattern& L;
   const Keep& KeepPanel;
   const Steps& Kernels;
   std::vector<int> FirstChild;
   std::vector<int> NextSibling;
   std::vector<AlignedArray<double>> Updates; // of the supernodes whose parents are still to come
-  std::vector<int> FirstEntry;
-  std::vector<Entry> Entries;
+  PermutedTriangle A;
 };
 }
 

@@ -30,48 +30,6 @@ std::vector<int> MinimumDegree(const Matrix& A)
   return { indices.data(), indices.data() + indices.size() };
 }
 
-std::vector<int> Inverse(const std::vector<int>& permutation)
-{
-  std::vector<int> inverse(permutation.size());
-  for (std::size_t k = 0; k < permutation.size(); ++k)
-  {
-    inverse[permutation[k]] = static_cast<int>(k);
-  }
-  return inverse;
-}
-
-/// Below the diagonal, the rows of each column, in the order of elimination.
-struct Columns
-{
-  std::vector<int> first;
-  std::vector<int> rows;
-
-  Columns(const Matrix& A, const std::vector<int>& order)
-    : first(order.size() + 1, 0)
-  {
-    const std::vector<int> position = Inverse(order);
-    const auto forEach = [&](const auto& body)
-    {
-      for (int j = 0; j < A.outerSize(); ++j)
-      {
-        for (Matrix::InnerIterator entry(A, j); entry; ++entry)
-        {
-          if (entry.row() != j)
-          {
-            const auto [column, row] = std::minmax(position[entry.row()], position[j]);
-            body(column, row);
-          }
-        }
-      }
-    };
-    forEach([&](int column, int) { ++this->first[column + 1]; });
-    std::partial_sum(this->first.begin(), this->first.end(), this->first.begin());
-    this->rows.resize(this->first.back());
-    std::vector<int> next(this->first.begin(), this->first.end() - 1);
-    forEach([&](int column, int row) { this->rows[next[column]++] = row; });
-  }
-};
-
 /// Supernodes in the order of elimination, before they are numbered.
 struct Supernodes
 {
@@ -90,7 +48,7 @@ struct Supernodes
 class Symbolic
 {
 public:
-  explicit Symbolic(const Columns& A)
+  explicit Symbolic(const PermutedTriangle& A)
     : A(A)
     , Size(static_cast<int>(A.first.size()) - 1)
     , FirstChild(this->Size, -1)
@@ -129,9 +87,8 @@ private:
         this->BeginOfBelow(child) + this->Result.below[child],
         [&](int row) { this->Mark[row] = child; });
     }
-    return std::all_of(this->A.rows.begin() + this->A.first[j],
-      this->A.rows.begin() + this->A.first[j + 1],
-      [&](int row) { return this->Mark[row] == child; });
+    return std::all_of(this->A.Begin(j), this->A.End(j),
+      [&](const PermutedTriangle::Entry& entry) { return this->Mark[entry.row] == child; });
   }
 
   void Append(int j, int s)
@@ -164,8 +121,8 @@ private:
         this->Result.belowRows.push_back(row);
       }
     };
-    std::for_each(
-      this->A.rows.begin() + this->A.first[j], this->A.rows.begin() + this->A.first[j + 1], add);
+    std::for_each(this->A.Begin(j), this->A.End(j),
+      [&](const PermutedTriangle::Entry& entry) { add(entry.row); });
     for (int child = this->FirstChild[j]; child >= 0; child = this->NextSibling[child])
     {
       this->Result.parent[child] = s;
@@ -190,7 +147,7 @@ private:
     }
   }
 
-  const Columns& A;
+  const PermutedTriangle& A;
   int Size;
   std::vector<int> FirstChild;  // supernodes whose first row below is this column
   std::vector<int> NextSibling; // by supernode
@@ -282,11 +239,40 @@ std::vector<int> Postorder(const Supernodes& nodes, const std::vector<int>& into
 }
 }
 
+PermutedTriangle::PermutedTriangle(const Matrix& A, const std::vector<int>& permutation)
+  : first(permutation.size() + 1, 0)
+{
+  std::vector<int> position(permutation.size());
+  for (std::size_t k = 0; k < permutation.size(); ++k)
+  {
+    position[permutation[k]] = static_cast<int>(k);
+  }
+  const auto forEach = [&](const auto& body)
+  {
+    for (int j = 0; j < A.outerSize(); ++j)
+    {
+      for (Matrix::InnerIterator entry(A, j); entry; ++entry)
+      {
+        const auto [column, row] = std::minmax(position[entry.row()], position[j]);
+        body(column, row, entry.value());
+      }
+    }
+  };
+  forEach([&](int column, int, double) { ++this->first[column + 1]; });
+  std::partial_sum(this->first.begin(), this->first.end(), this->first.begin());
+  this->entries.resize(this->first.back());
+  std::vector<int> next(this->first.begin(), this->first.end() - 1);
+  forEach(
+    [&](int column, int row, double value) {
+      this->entries[next[column]++] = { value, row };
+    });
+}
+
 SupernodalPattern::SupernodalPattern(const Matrix& A)
 {
   const std::vector<int> elimination = MinimumDegree(A);
   const auto n = static_cast<int>(elimination.size());
-  Supernodes nodes = Symbolic(Columns(A, elimination)).Run();
+  Supernodes nodes = Symbolic(PermutedTriangle(A, elimination)).Run();
   const std::vector<int> into = Merge(nodes);
   const std::vector<int> order = Postorder(nodes, into);
 

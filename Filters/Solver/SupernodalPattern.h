@@ -49,6 +49,23 @@ struct SupernodalPattern
   std::vector<int> GetParents() const;
 };
 
+/// The lower triangle of P A P^T, by columns; rows in any order.
+struct PermutedTriangle
+{
+  struct Entry
+  {
+    double value;
+    int row;
+  };
+  std::vector<int> first; ///< entry of each column, and their number
+  std::vector<Entry> entries;
+
+  /// @param A  its lower triangle @param permutation  row k of P A P^T is row permutation[k] of A
+  PermutedTriangle(const SupernodalPattern::Matrix& A, const std::vector<int>& permutation);
+  const Entry* Begin(int column) const { return this->entries.data() + this->first[column]; }
+  const Entry* End(int column) const { return this->entries.data() + this->first[column + 1]; }
+};
+
 /// Where the numbers of a supernode stand: its rows in tiles of eight, its own ones first and
 /// filled up to whole tiles, then those below, likewise. A tile row holds its columns one after the
 /// other, eight numbers each; columns are filled up like the rows of their own. What fills up is
