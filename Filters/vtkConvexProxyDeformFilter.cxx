@@ -8,6 +8,7 @@
 #include "vtkPoissonDisk.h"
 #include "vtkSurfaceMeshConversion.h"
 #include "vtkSurfaceRegion.h"
+#include "vtkTargetSphere.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -167,7 +168,7 @@ struct vtkConvexProxyDeformFilter::Internals
   void FillLines(
     const vtkSurfaceMesh& surface, const Rows& t, vtkPolyData* input, vtkPolyData* output) const;
   static void Warn(vtkConvexProxyDeformFilter* self, const vtkSurfaceMesh& surface,
-    const ProxyDeformationReport& report);
+    const SphericalStyle::TriangleMesh& proxy, const ProxyDeformationReport& report);
   static void SetFacts(vtkConvexProxyDeformFilter* self, const ProxyDeformationReport& report,
     int proxyPoints, double diagonal, bool ownProxy);
 };
@@ -336,7 +337,8 @@ void vtkConvexProxyDeformFilter::Internals::FillLines(
 }
 
 void vtkConvexProxyDeformFilter::Internals::Warn(vtkConvexProxyDeformFilter* self,
-  const vtkSurfaceMesh& surface, const ProxyDeformationReport& report)
+  const vtkSurfaceMesh& surface, const SphericalStyle::TriangleMesh& proxy,
+  const ProxyDeformationReport& report)
 {
   const auto warn = [self](const std::string& text)
   { vtkWarningWithObjectMacro(self, << InBlock(self) << text); };
@@ -355,6 +357,10 @@ void vtkConvexProxyDeformFilter::Internals::Warn(vtkConvexProxyDeformFilter* sel
       " meet no proxy, the first is point " +
       std::to_string(surface.FirstInputPoint(report.firstWithoutHit)) +
       "; the closest point is taken");
+  }
+  if (self->RadiusMode == EQUAL_VOLUME)
+  {
+    vtkTargetSphere::WarnOfVolume(self, "the proxy", proxy);
   }
   if (!report.style.loop.converged)
   {
@@ -504,7 +510,7 @@ int vtkConvexProxyDeformFilter::Execute(
   this->Internal->AttachArrays(this, surface, shown, input, output);
   FillProxy(vtkPolyData::GetData(outputVector, 1), deformation.GetProxy(), report);
   this->Internal->FillLines(surface, shown, input, vtkPolyData::GetData(outputVector, 2));
-  Internals::Warn(this, surface, report);
+  Internals::Warn(this, surface, deformation.GetProxy().rest, report);
   Internals::SetFacts(this, report, static_cast<int>(deformation.GetProxy().rest.P.rows()),
     Diagonal(surface.Mesh.P), ownProxy != nullptr);
   return 1;

@@ -5,6 +5,7 @@
 #include "SphereProjection.h"
 #include "vtkFilterSupport.h"
 #include "vtkSurfaceMeshConversion.h"
+#include "vtkTargetSphere.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -105,6 +106,10 @@ int vtkSphereProjectionFilter::Execute(
                     << Count(static_cast<vtkIdType>(onCenter.size()), "point")
                     << " on it, the first is point " << surface.FirstInputPoint(onCenter.front())
                     << "; they stay in place");
+  }
+  if (this->RadiusMode == EQUAL_VOLUME)
+  {
+    vtkTargetSphere::WarnOfVolume(this, "the surface", surface.Mesh);
   }
   std::copy_n(sphere.center.data(), 3, this->EffectiveCenter);
   this->EffectiveRadius = sphere.radius;

@@ -439,6 +439,10 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
   {
     warn(remark);
   }
+  if (self->RadiusMode == EQUAL_VOLUME && report.spheres.size() == 1)
+  {
+    vtkTargetSphere::WarnOfVolume(self, "the surface", surface.Mesh);
+  }
   if (!report.pointsOnCenter.empty())
   {
     const auto n = static_cast<vtkIdType>(report.pointsOnCenter.size());

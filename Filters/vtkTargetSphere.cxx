@@ -3,7 +3,9 @@
 #include "vtkTargetSphere.h"
 
 #include "SurfaceMeasures.h"
+#include "vtkFilterSupport.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -16,6 +18,7 @@ namespace
 constexpr int NumberOfMeridians = 8; // whole circles
 constexpr int NumberOfParallels = 7;
 constexpr int NumberOfSegments = 64;
+constexpr double LargestAmbiguity = 0.01; // a third of that in the radius
 
 /// Closed: the last point is the first.
 /// @param sphere  that the circle lies on @param a, b  orthogonal, of one length in units of the
@@ -71,4 +74,17 @@ bool vtkTargetSphere::Encloses(
     angle += SphericalStyle::SolidAngle(mesh.P, mesh.F, f, point);
   }
   return std::abs(angle) > 2.0 * EIGEN_PI;
+}
+
+void vtkTargetSphere::WarnOfVolume(
+  vtkAlgorithm* self, const char* what, const SphericalStyle::TriangleMesh& mesh)
+{
+  if (SphericalStyle::VolumeAmbiguity(mesh.P, mesh.F) >= LargestAmbiguity)
+  {
+    vtkWarningWithObjectMacro(
+      self, << vtkFilterSupport::InBlock(self) << "RadiusMode EqualVolume: " << what
+            << " is open, or its triangles do not all face the same way; the "
+               "volume of the cones from the mean point is taken. EqualArea "
+               "needs no volume");
+  }
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The target sphere as something to look at, and whether its center is in the model. Private.
+/// The target sphere as something to look at, and whether its center and radius mean something to
+/// the model. Private.
 #ifndef vtkTargetSphere_h
 #define vtkTargetSphere_h
 
@@ -9,6 +10,7 @@
 
 #include <vector>
 
+class vtkAlgorithm;
 class vtkPolyData;
 
 namespace vtkTargetSphere
@@ -21,6 +23,10 @@ void Fill(vtkPolyData* output, const std::vector<SphericalStyle::Sphere>& sphere
 /// 2 pi, half the full angle, in size. Holes so count as closed where they are narrow. The
 /// triangles must agree on their outside; which it is does not matter. O(m).
 bool Encloses(const SphericalStyle::TriangleMesh& mesh, const Eigen::Vector3d& point);
+
+/// For RadiusMode EqualVolume: a warning where the mesh has no volume of its own, but for holes
+/// that change it by less than a hundredth. O(m). @param what  the mesh, in words
+void WarnOfVolume(vtkAlgorithm* self, const char* what, const SphericalStyle::TriangleMesh& mesh);
 }
 
 #endif

@@ -87,6 +87,21 @@ double EnclosedVolume(const Points& P, const Triangles& F)
   return volume;
 }
 
+double BallRadius(double volume)
+{
+  return std::cbrt(std::abs(volume) * 3.0 / (4.0 * Pi));
+}
+
+double VolumeAmbiguity(const Points& P, const Triangles& F)
+{
+  Eigen::Vector3d area = Eigen::Vector3d::Zero();
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    area += AreaVector(P, F, f);
+  }
+  return area.norm() / (4.0 * Pi * std::pow(BallRadius(EnclosedVolume(P, F)), 2));
+}
+
 Eigen::Vector3d AreaCentroid(const Points& P, const Triangles& F)
 {
   const Eigen::VectorXd area = PointAreas(P, F);

@@ -20,6 +20,12 @@ Eigen::VectorXd PointAreas(const Points& P, const Triangles& F);
 /// Signed volume of a closed surface, positive when oriented outward; for an open one, of the cones
 /// from the mean point to its triangles. length^3.
 double EnclosedVolume(const Points& P, const Triangles& F);
+/// By which share that volume changes where the apex moves by r, the radius of the ball of the same
+/// volume: |sum of the area vectors| r / (3 V), which is |sum| / (4 pi r^2). 0 for what is closed
+/// and faces one way all over, about a half for half a sphere, infinite for a flat sheet.
+double VolumeAmbiguity(const Points& P, const Triangles& F);
+/// Radius of the ball of that volume, whatever its sign.
+double BallRadius(double volume);
 /// Six times the signed volume of the tetrahedron of triangle f and an apex, length^3: its sum over
 /// a closed surface is six times the volume, for any apex.
 double TripleProduct(const Points& P, const Triangles& F, Eigen::Index f, const Eigen::Vector3d& O);

@@ -30,7 +30,7 @@ Sphere TargetSphere(
       sphere.radius = std::sqrt(TriangleAreas(P, F).sum() / (4.0 * Pi));
       break;
     case RadiusMode::EqualVolume:
-      sphere.radius = std::cbrt(std::abs(EnclosedVolume(P, F)) * 3.0 / (4.0 * Pi));
+      sphere.radius = BallRadius(EnclosedVolume(P, F));
       break;
     case RadiusMode::Custom:
       break;

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// What there is to look at of the target sphere: the third output lies on it, and the filter tells
-/// whether its center is in the model.
-#include "FilterTesting.h"
+/// whether its center is in the model and its volume that of one.
+#include "EveryFilter.h"
 
 #include "vtkIntArray.h"
 
 #include <sstream>
+#include <tuple>
 
 using namespace FilterTesting;
 
@@ -80,6 +81,51 @@ void SeveralCenters(Checker& check)
     "distance of the second from where it should be");
 }
 
+/// RadiusMode EqualVolume is warned of where there is no volume, and no other mode is.
+/// @param set  gives the filter the surface
+template <typename FilterType>
+void Volume(Checker& check, const std::function<void(FilterType*, vtkPolyData*)>& set)
+{
+  const Surface ball = MakeEllipsoid({ 1.0, 1.1, 1.2 }, Faces::Triangles, 24, 15);
+  Surface half = Surface::New();
+  half->DeepCopy(ball);
+  vtkNew<vtkCellArray> lower;
+  Surface turned = Surface::New();
+  turned->DeepCopy(ball);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = 0; c < ball->GetNumberOfPolys(); ++c)
+  {
+    ball->GetPolys()->GetCellAtId(c, ids);
+    const vtkIdType backward[] = { ids->GetId(2), ids->GetId(1), ids->GetId(0) };
+    if (PointOf(ball, ids->GetId(0))[2] < 0.0)
+    {
+      lower->InsertNextCell(ids);
+    }
+    else
+    {
+      turned->GetPolys()->ReplaceCellAtId(c, 3, backward);
+    }
+  }
+  half->SetPolys(lower);
+  Watched<FilterType> filter;
+  for (const auto& [name, surface, closed] : { std::tuple("closed", ball, true),
+         std::tuple("open", half, false), std::tuple("half turned round", turned, false) })
+  {
+    check.About(std::string(filter->GetClassName()) + ", volume of a surface, " + name);
+    set(filter.Get(), surface);
+    for (const bool ofVolume : { true, false })
+    {
+      filter->SetRadiusMode(ofVolume ? FilterType::EQUAL_VOLUME : FilterType::EQUAL_AREA);
+      filter.Warnings.clear();
+      filter.Output();
+      const auto told = std::count_if(filter.Warnings.begin(), filter.Warnings.end(),
+        [](const std::string& text) { return Contains(text, "RadiusMode EqualVolume: the "); });
+      check(filter.Errors.empty() && told == (ofVolume && !closed ? 1 : 0),
+        ofVolume ? "EqualVolume should be warned of if open" : "EqualArea should not");
+    }
+  }
+}
+
 /// The method's; it must be that of PrintSelf too.
 std::string Position(Checker& check, WatchedFilter& filter)
 {
@@ -122,6 +168,18 @@ int TestSphericalStyleFilterTargetSphere(int, char*[])
   Checker check;
   Output(check);
   SeveralCenters(check);
+  Volume<vtkSphericalStyleFilter>(
+    check, [](auto* filter, vtkPolyData* surface) { filter->SetInputData(surface); });
+  Volume<vtkSphereProjectionFilter>(
+    check, [](auto* filter, vtkPolyData* surface) { filter->SetInputData(surface); });
+#ifdef SPHERICALSTYLE_WITH_CGAL
+  Volume<vtkConvexProxyDeformFilter>(check,
+    [](auto* filter, vtkPolyData* surface)
+    {
+      filter->SetInputData(MakeEllipsoid({ 1.0, 1.0, 1.0 }));
+      filter->SetProxyData(surface);
+    });
+#endif
   const Surface ball = MakeEllipsoid({ 1.0, 1.0, 1.0 }, Faces::Triangles, 32, 31);
   Inside(check, "closed", ball);
   Inside(check, "inside out", MakeEllipsoid({ 1.0, 1.0, -1.0 }, Faces::Triangles, 32, 31));

@@ -315,6 +315,47 @@ void TestTurnedOver()
   }
 }
 
+/// Against the volumes from apices apart.
+void TestVolumeAmbiguity()
+{
+  const TriangleMesh ball = Meshes::Icosphere(3);
+  CHECK(VolumeAmbiguity(ball.P, ball.F) < 1e-14, "a closed surface has a volume");
+  TriangleMesh open = ball;
+  open.F.conservativeResize(open.F.rows() * 3 / 4, 3);
+  TriangleMesh turned = ball;
+  for (int f = 0; f < 7; ++f)
+  {
+    turned.F.row(f).reverseInPlace();
+  }
+  for (const TriangleMesh& mesh : { open, turned })
+  {
+    const double volume = EnclosedVolume(mesh.P, mesh.F);
+    const double r = std::cbrt(3.0 * volume / (4.0 * Meshes::Pi));
+    const Vector3d apex = mesh.P.colwise().mean();
+    const auto from = [&mesh](const Vector3d& O)
+    {
+      double sixfold = 0.0;
+      for (int f = 0; f < mesh.F.rows(); ++f)
+      {
+        sixfold += TripleProduct(mesh.P, mesh.F, f, O);
+      }
+      return sixfold / 6.0;
+    };
+    CHECK_NEAR(from(apex), volume, 1e-12, "cones from the mean point");
+    // The apex may move anywhere: the largest change is along the gradient.
+    const double step = 0.5;
+    Vector3d gradient;
+    for (int k = 0; k < 3; ++k)
+    {
+      gradient(k) = (from(apex + step * Vector3d::Unit(k)) - volume) / step;
+    }
+    CHECK_NEAR(VolumeAmbiguity(mesh.P, mesh.F), gradient.norm() * r / volume, 1e-12,
+      "the share by which the volume changes");
+  }
+  CHECK(VolumeAmbiguity(turned.P, turned.F) > 1e-3, "not all triangles face one way");
+  CHECK_NEAR(BallRadius(-4.0 / 3.0 * Meshes::Pi * 8.0), 2.0, 1e-15, "radius of a ball inside out");
+}
+
 void TestDegenerate()
 {
   const Vector3d O = Vector3d::Zero();
@@ -339,6 +380,7 @@ int main()
   TestRigidMotion();
   TestPairByHand();
   TestTurnedOver();
+  TestVolumeAmbiguity();
   TestDegenerate();
   return CheckResult();
 }
