@@ -482,8 +482,8 @@ int vtkConvexProxyDeformFilter::Execute(
   Internals::CheckProperties(this);
   const vtkSurfaceMesh surface = Conversion::FromPolyData(input, true, Conversion::TakePoints::All);
   ProxyDeformationOptions options = Internals::MakeOptions(this, surface, input, ownProxy);
-  const std::vector<char> region =
-    vtkSurfaceRegion::Marks(this->GetInputArrayInformation(REGION_MASK), selection, input, surface);
+  const std::vector<char> region = vtkSurfaceRegion::Marks(
+    this, this->GetInputArrayInformation(REGION_MASK), selection, input, surface);
   bool perAxis = false;
   const Points t = Internals::BlendWeights(this, surface, input, region, perAxis);
   options.t = t;

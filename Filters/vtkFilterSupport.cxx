@@ -4,6 +4,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -49,6 +50,11 @@ void NoteComposite(vtkObject* caller, unsigned long event, void*, void*)
   {
     self->GetInformation()->Set(Composite(), event == vtkCommand::StartEvent ? data : nullptr);
   }
+}
+
+vtkDataObjectTree* Tree(vtkAlgorithm* self)
+{
+  return vtkDataObjectTree::SafeDownCast(self->GetInformation()->Get(Composite()));
 }
 
 /// @param path  names from the top to the leaf, which is below the tree if the answer is true
@@ -114,10 +120,30 @@ void NoteBlocks(vtkAlgorithm* self)
 
 std::string InBlock(vtkAlgorithm* self)
 {
-  auto* tree = vtkDataObjectTree::SafeDownCast(self->GetInformation()->Get(Composite()));
+  vtkDataObjectTree* tree = Tree(self);
   std::string path;
   return tree && FindLeaf(tree, self->GetInputDataObject(0, 0), path) ? "block \"" + path + "\": "
                                                                       : "";
+}
+
+vtkSmartPointer<vtkDataObject> InTree(vtkAlgorithm* self, vtkDataObject* surface)
+{
+  vtkDataObjectTree* tree = Tree(self);
+  if (!tree)
+  {
+    return surface;
+  }
+  const auto alone = vtkSmartPointer<vtkDataObjectTree>::Take(tree->NewInstance());
+  alone->CopyStructure(tree);
+  const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    if (leaves->GetCurrentDataObject() == self->GetInputDataObject(0, 0))
+    {
+      alone->SetDataSet(leaves, surface);
+    }
+  }
+  return alone;
 }
 
 void TakeDataSet(vtkInformation* port)

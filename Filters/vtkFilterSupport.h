@@ -5,7 +5,8 @@
 #ifndef vtkFilterSupport_h
 #define vtkFilterSupport_h
 
-#include "vtkType.h" // for vtkIdType
+#include "vtkSmartPointer.h" // for what is made
+#include "vtkType.h"         // for vtkIdType
 
 #include <functional>
 #include <string>
@@ -13,6 +14,7 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkDataObject;
 class vtkFieldData;
 class vtkInformation;
 class vtkInformationVector;
@@ -36,6 +38,10 @@ void NoteBlocks(vtkAlgorithm* self);
 /// "block \"Car/Wheel\": " while the filter runs over a block of composite data, else empty: how
 /// its messages begin. A block without a name has its number, from 0, among its parent's.
 std::string InBlock(vtkAlgorithm* self);
+
+/// The composite data that the filter runs over, with `surface` in the place of the block and
+/// nothing elsewhere, so that what names blocks finds it; `surface` itself where there is none.
+vtkSmartPointer<vtkDataObject> InTree(vtkAlgorithm* self, vtkDataObject* surface);
 
 /// For FillInputPortInformation: any data set may come in, so that IsSurface can say what to do
 /// with it.

@@ -280,7 +280,7 @@ vtkSurfaceMesh vtkSphericalStyleFilter::Internals::Refine(
   if (inputs.Selection)
   {
     inputs.Selection = vtkLongEdges::Select(
-      vtkSurfaceRegion::SelectedPoints(inputs.Model, inputs.Selection), refined);
+      vtkSurfaceRegion::SelectedPoints(self, inputs.Model, inputs.Selection), refined);
   }
   inputs.Model = refined.Surface;
   vtkSurfaceMesh mesh =
@@ -699,7 +699,7 @@ int vtkSphericalStyleFilter::Execute(
   Internals::CheckProperties(this);
   const vtkSurfaceMesh& surface = this->Internal->TakeSurface(this, inputs);
   const std::vector<char> region = vtkSurfaceRegion::Marks(
-    this->GetInputArrayInformation(REGION_MASK), inputs.Selection, inputs.Model, surface);
+    this, this->GetInputArrayInformation(REGION_MASK), inputs.Selection, inputs.Model, surface);
   Eigen::VectorXd regionWeights;
   if (!region.empty())
   {

@@ -4,9 +4,12 @@
 
 #include "Parallel.h"
 #include "RegionBorder.h"
+#include "vtkFilterSupport.h"
 #include "vtkSurfaceMeshConversion.h"
 
 #include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkExtractSelection.h"
@@ -78,6 +81,20 @@ void CheckNodes(vtkSelection* selection)
   }
 }
 
+/// Of data that has one: see InTree. nullptr if that is left out.
+vtkDataSet* OnlySurface(vtkDataObject* data)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    return vtkDataSet::SafeDownCast(data);
+  }
+  const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  leaves->InitTraversal();
+  return leaves->IsDoneWithTraversal() ? nullptr
+                                       : vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject());
+}
+
 /// Diagonal of the bounds.
 double Diagonal(const Points& P)
 {
@@ -130,7 +147,8 @@ Eigen::VectorXd DistancesToOutside(const Points& P, const std::vector<char>& ins
 }
 }
 
-std::vector<char> vtkSurfaceRegion::SelectedPoints(vtkPolyData* input, vtkSelection* selection)
+std::vector<char> vtkSurfaceRegion::SelectedPoints(
+  vtkAlgorithm* self, vtkPolyData* input, vtkSelection* selection)
 {
   CheckNodes(selection);
   std::vector<char> selected(input->GetNumberOfPoints(), 0);
@@ -139,11 +157,11 @@ std::vector<char> vtkSurfaceRegion::SelectedPoints(vtkPolyData* input, vtkSelect
     return selected;
   }
   vtkNew<vtkExtractSelection> extract;
-  extract->SetInputDataObject(0, input);
+  extract->SetInputDataObject(0, vtkFilterSupport::InTree(self, input));
   extract->SetInputDataObject(1, selection);
   extract->PreserveTopologyOn();
   extract->Update();
-  vtkDataSet* marked = vtkDataSet::SafeDownCast(extract->GetOutputDataObject(0));
+  vtkDataSet* marked = OnlySurface(extract->GetOutputDataObject(0));
   if (!marked)
   {
     return selected;
@@ -173,8 +191,8 @@ std::vector<char> vtkSurfaceRegion::SelectedPoints(vtkPolyData* input, vtkSelect
   return selected;
 }
 
-std::vector<char> vtkSurfaceRegion::Marks(
-  vtkInformation* mask, vtkSelection* selection, vtkPolyData* input, const vtkSurfaceMesh& surface)
+std::vector<char> vtkSurfaceRegion::Marks(vtkAlgorithm* self, vtkInformation* mask,
+  vtkSelection* selection, vtkPolyData* input, const vtkSurfaceMesh& surface)
 {
   const Points values = vtkSurfaceMeshConversion::GatherPointArray(mask, input, surface,
     { "Region", 1, -std::numeric_limits<double>::infinity(),
@@ -190,7 +208,7 @@ std::vector<char> vtkSurfaceRegion::Marks(
   }
   if (selection)
   {
-    const std::vector<char> selected = SelectedPoints(input, selection);
+    const std::vector<char> selected = SelectedPoints(self, input, selection);
     std::vector<char> chosen(region.size(), 0);
     for (std::size_t i = 0; i < selected.size(); ++i)
     {

@@ -9,6 +9,7 @@
 
 #include <vector>
 
+class vtkAlgorithm;
 class vtkInformation;
 class vtkPolyData;
 class vtkSelection;
@@ -16,9 +17,10 @@ struct vtkSurfaceMesh;
 
 namespace vtkSurfaceRegion
 {
-/// One per point of the input: 1 for selected points and points of selected cells.
+/// One per point of the input: 1 for selected points and points of selected cells. Nodes that name
+/// other blocks than the one that the filter runs over select nothing of it.
 /// @throw std::invalid_argument for selections that need ParaView's query language
-std::vector<char> SelectedPoints(vtkPolyData* input, vtkSelection* selection);
+std::vector<char> SelectedPoints(vtkAlgorithm* self, vtkPolyData* input, vtkSelection* selection);
 
 /// 1 for mesh points that may move: where the array is not 0 and that the selection takes, by
 /// itself or by one of its cells. Of coincident points one is enough: they move together or not at
@@ -26,8 +28,8 @@ std::vector<char> SelectedPoints(vtkPolyData* input, vtkSelection* selection);
 /// @param mask  vtkAlgorithm::GetInputArrayInformation @param selection  or nullptr
 /// @throw std::invalid_argument naming Region and the array's fault, or for selections that need
 ///        ParaView's query language
-std::vector<char> Marks(
-  vtkInformation* mask, vtkSelection* selection, vtkPolyData* input, const vtkSurfaceMesh& surface);
+std::vector<char> Marks(vtkAlgorithm* self, vtkInformation* mask, vtkSelection* selection,
+  vtkPolyData* input, const vtkSurfaceMesh& surface);
 
 /// BorderWeights by the distance of every point inside to the nearest one outside. Distances are
 /// straight, which makes borders across cracks and between parts smooth too.

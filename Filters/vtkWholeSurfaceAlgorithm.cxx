@@ -248,7 +248,7 @@ vtkWholeSurfaceAlgorithm::Internals::Parts vtkWholeSurfaceAlgorithm::Internals::
       if (selection)
       {
         selected = vtkSurfaceRegion::SelectedPoints(
-          model, SelectionOf(selection, self->Controller->GetLocalProcessId()));
+          self, model, SelectionOf(selection, self->Controller->GetLocalProcessId()));
       }
       vtkNew<vtkCharArray> marks;
       marks->SetName(vtkDistributedSurface::MarksName);

@@ -7,6 +7,7 @@
 #include "EveryFilter.h"
 
 #include "vtkCompositeDataSet.h"
+#include "vtkExtractSelection.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 
@@ -104,6 +105,118 @@ void CheckBlocks(Checker& check, const Subject& subject)
     errors.size() == (subject.refuses ? 1 : 0) && (errors.empty() || !Contains(errors[0], "block")),
     "an error of a surface alone should name no block" + Joined(errors));
 }
+/// Points that are at another place in the output.
+std::vector<vtkIdType> Moved(vtkDataSet* input, vtkDataSet* output)
+{
+  std::vector<vtkIdType> ids;
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    Vector p;
+    Vector q;
+    input->GetPoint(i, p.data());
+    output->GetPoint(i, q.data());
+    if (p != q)
+    {
+      ids.push_back(i);
+    }
+  }
+  return ids;
+}
+
+using Path = std::vector<unsigned int>;
+
+vtkDataSet* At(const Path& path, vtkDataObject* tree)
+{
+  for (const unsigned int number : path)
+  {
+    tree = vtkMultiBlockDataSet::SafeDownCast(tree)->GetBlock(number);
+  }
+  return vtkDataSet::SafeDownCast(tree);
+}
+
+/// Points that vtkExtractSelection has marked.
+std::vector<vtkIdType> Marked(vtkDataSet* data)
+{
+  std::vector<vtkIdType> ids;
+  vtkDataArray* inside = data ? data->GetPointData()->GetArray("vtkInsidedness") : nullptr;
+  for (vtkIdType i = 0; inside && i < inside->GetNumberOfTuples(); ++i)
+  {
+    if (inside->GetComponent(i, 0) > 0.0)
+    {
+      ids.push_back(i);
+    }
+  }
+  return ids;
+}
+
+/// A node that names a block selects nothing of the others: as ParaView's selections of points do.
+template <typename FilterType>
+void CheckSelections(Checker& check)
+{
+  const Surface ball = MakeEllipsoid({ 1.0, 1.2, 1.5 });
+  vtkNew<vtkMultiBlockDataSet> wheels; // 3, with 4 and 5 below
+  AddBlock(wheels, nullptr, ball);
+  AddBlock(wheels, nullptr, Shifted(ball, { 4.0, 0.0, 0.0 }));
+  vtkNew<vtkMultiBlockDataSet> car;
+  AddBlock(car, "Body", Shifted(ball, { 0.0, 4.0, 0.0 })); // 1
+  AddBlock(car, "Gap", nullptr);                           // 2
+  AddBlock(car, "Wheels", wheels);
+  const Path leaves[] = { { 0 }, { 2, 0 }, { 2, 1 } };
+
+  struct Node
+  {
+    std::vector<vtkIdType> ids;
+    int block; ///< -1: none is named
+    bool inverse;
+  };
+  const std::pair<const char*, std::vector<Node>> cases[] = {
+    { "no block named", { { { 3, 40, 41, 60 }, -1, false } } },
+    { "one block", { { { 3, 40, 41, 60 }, 5, false } } },
+    { "two blocks", { { { 3, 40, 41 }, 1, false }, { { 90, 91 }, 4, false } } },
+    { "all blocks below one", { { { 17, 18 }, 3, false } } },
+    { "all but some of one block", { { { 17, 18 }, 4, true } } },
+    { "a block that is not there", { { { 17, 18 }, 2, false } } },
+  };
+  for (const auto& [name, nodes] : cases)
+  {
+    vtkNew<vtkSelection> selection;
+    for (const Node& node : nodes)
+    {
+      const auto single = MakeSelection(node.ids, vtkSelectionNode::POINT);
+      vtkInformation* properties = single->GetNode(0)->GetProperties();
+      if (node.block >= 0)
+      {
+        properties->Set(vtkSelectionNode::COMPOSITE_INDEX(), node.block);
+      }
+      properties->Set(vtkSelectionNode::INVERSE(), node.inverse ? 1 : 0);
+      selection->AddNode(single->GetNode(0));
+    }
+    vtkNew<vtkExtractSelection> extract;
+    extract->SetInputDataObject(0, car);
+    extract->SetInputDataObject(1, selection);
+    extract->PreserveTopologyOn();
+    extract->Update();
+    auto* marked = vtkMultiBlockDataSet::SafeDownCast(extract->GetOutputDataObject(0));
+
+    Watched<FilterType> filter;
+    filter->SetInputDataObject(car);
+    filter->SetSelectionData(selection);
+    filter->Update();
+    auto* result = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    check(filter.Errors.empty(), "no errors" + Joined(filter.Errors));
+    std::size_t all = 0;
+    for (const Path& path : leaves)
+    {
+      check.About(std::string(filter->GetClassName()) + ", selection of " + name + ", block " +
+        Text(path.front()) + (path.size() > 1 ? "/" + Text(path.back()) : ""));
+      const std::vector<vtkIdType> expected = Marked(At(path, marked));
+      all += expected.size();
+      check(Moved(At(path, car), At(path, result)) == expected,
+        "the selected points should move, and no others");
+    }
+    check((all == 0) == (nodes.front().block == 2), "the case should select something");
+  }
+}
 }
 
 int TestBlocks(int, char*[])
@@ -113,5 +226,9 @@ int TestBlocks(int, char*[])
   {
     CheckBlocks(check, subject);
   }
+  CheckSelections<vtkSphericalStyleFilter>(check);
+#ifdef SPHERICALSTYLE_WITH_CGAL
+  CheckSelections<vtkConvexProxyDeformFilter>(check);
+#endif
   return check.Result();
 }
