@@ -45,9 +45,11 @@ def bounds(proxy):
     return proxy.GetDataInformation().GetBounds()
 
 
-def moved(filter_):
+def moved(filter_, block=None):
     """Ids of the points that are not where they were."""
-    displacement = servermanager.Fetch(filter_).GetPointData().GetArray("Displacement")
+    output = servermanager.Fetch(filter_)
+    surface = output if block is None else output.GetBlock(block)
+    displacement = surface.GetPointData().GetArray("Displacement")
     return [i for i in range(displacement.GetNumberOfTuples())
             if displacement.GetTuple3(i) != (0.0, 0.0, 0.0)]
 
@@ -193,6 +195,13 @@ assert moved(whole) == sorted(cell.GetPointId(k) for k in range(3)), moved(whole
 whole.Selection = None
 update(whole)
 assert moved(whole) == list(range(n)) and bounds(whole) == whole_bounds
+
+# Points that were picked in one block of several.
+blocks = deform(GroupDatasets(Input=[model, long_sphere]),
+                Selection=CompositeDataIDSelectionSource(FieldType="POINT",
+                                                         IDs=[x for i in ids for x in (2, -1, i)]))
+update(blocks)
+assert moved(blocks, 0) == [] and moved(blocks, 1) == ids, (moved(blocks, 0), moved(blocks, 1))
 
 # A query is an error that says so, and no crash; the filter works again without it.
 whole.Selection = SelectionQuerySource(QueryString="id < 5")
