@@ -4,7 +4,7 @@
 
 #include "NormalAnalogy.h"
 #include "vtkFilterSupport.h"
-#include "vtkLocalTermStyle.h"
+#include "vtkSurfaceMeshConversion.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -15,14 +15,12 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStaticPointLocator.h"
-#include "vtkTable.h"
 
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 using SphericalStyle::Points;
-using namespace vtkFilterSupport;
 
 vtkStandardNewMacro(vtkNormalAnalogyFilter);
 
@@ -104,29 +102,9 @@ SphericalStyle::NormalAnalogy::NormalMap ClosestNormal(const Points& style)
 }
 
 //------------------------------------------------------------------------------------------------
-struct vtkNormalAnalogyFilter::Internals
-{
-  vtkLocalTermStyle Style;
-
-  static void SetFacts(
-    vtkNormalAnalogyFilter* self, const SphericalStyle::LoopReport& report, int styleNormals);
-};
-
-void vtkNormalAnalogyFilter::Internals::SetFacts(
-  vtkNormalAnalogyFilter* self, const SphericalStyle::LoopReport& report, int styleNormals)
-{
-  self->NumberOfStyleNormals = styleNormals;
-  self->NumberOfIterations = report.iterations;
-  self->Converged = report.converged;
-  self->FinalEnergy = report.history.empty() ? 0.0 : report.history.back().energy.Total();
-}
-
-//------------------------------------------------------------------------------------------------
 vtkNormalAnalogyFilter::vtkNormalAnalogyFilter()
-  : Internal(std::make_unique<Internals>())
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
 }
 
 vtkNormalAnalogyFilter::~vtkNormalAnalogyFilter() = default;
@@ -143,70 +121,43 @@ void vtkNormalAnalogyFilter::SetStyleMeshData(vtkPolyData* mesh)
 
 int vtkNormalAnalogyFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   if (port == STYLE_MESH)
   {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  else
-  {
-    TakeDataSet(info);
-  }
-  return 1;
-}
-
-int vtkNormalAnalogyFilter::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 1)
-  {
-    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
     return 1;
   }
-  return this->Superclass::FillOutputPortInformation(port, info);
+  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 int vtkNormalAnalogyFilter::RequestWholeData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return RunGuarded(
-    this, outputVector, [&] { return this->Execute(inputVector, outputVector); },
-    [this] { this->Internal = std::make_unique<Internals>(); });
+  this->NumberOfStyleNormals = 0;
+  return this->Superclass::RequestWholeData(request, inputVector, outputVector);
 }
 
-int vtkNormalAnalogyFilter::Execute(
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+std::shared_ptr<SphericalStyle::LocalTerm> vtkNormalAnalogyFilter::MakeTerm(
+  vtkInformationVector** inputs)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[MODEL], 0);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  Internals::SetFacts(this, {}, 0);
-  if (!IsSurface(this, inputVector[MODEL]))
-  {
-    return 0;
-  }
-  if (!input || input->GetNumberOfPoints() == 0)
-  {
-    return 1;
-  }
-  vtkLocalTermStyle& style = this->Internal->Style;
-  Require(std::isfinite(this->Weight) && this->Weight >= 0.0, "Weight", "finite and 0 or more",
-    this->Weight);
-  const SphericalStyle::LoopOptions loop = vtkLocalTermStyle::MakeLoopOptions(
-    this->StopRule, this->Tolerance, this->MaximumNumberOfIterations, this->Acceleration);
+  vtkFilterSupport::Require(std::isfinite(this->Weight) && this->Weight >= 0.0, "Weight",
+    "finite and 0 or more", this->Weight);
   const Points normals = this->Style == MESH
-    ? NormalsOfMesh(vtkPolyData::GetData(inputVector[STYLE_MESH], 0))
+    ? NormalsOfMesh(vtkPolyData::GetData(inputs[STYLE_MESH], 0))
     : NormalsOfSolid(this->Style);
-  const auto analogy =
-    std::make_shared<SphericalStyle::NormalAnalogy>(ClosestNormal(normals), this->Weight);
-  style.Solve(this, input, loop, this->NumberOfThreads, analogy);
-  style.FillOutputs(this, input, output, vtkTable::GetData(outputVector, 1),
-    this->OutputPointsPrecision, this->GenerateNormals, "Analogy");
+  this->NumberOfStyleNormals = static_cast<int>(normals.rows());
+  return std::make_shared<SphericalStyle::NormalAnalogy>(ClosestNormal(normals), this->Weight);
+}
+
+void vtkNormalAnalogyFilter::AddArrays(
+  const SphericalStyle::LocalTerm& term, const vtkSurfaceMesh& surface, vtkPolyData* output)
+{
   if (this->GenerateTargetNormal)
   {
-    vtkSurfaceMeshConversion::AddPointArray(output, style.GetSurface(), "TargetNormal",
-      output->GetPoints()->GetDataType(), analogy->GetTargets());
+    vtkSurfaceMeshConversion::AddPointArray(output, surface, "TargetNormal",
+      output->GetPoints()->GetDataType(),
+      static_cast<const SphericalStyle::NormalAnalogy&>(term).GetTargets());
   }
-  Internals::SetFacts(this, style.GetReport(), static_cast<int>(normals.rows()));
-  return 1;
 }
 
 void vtkNormalAnalogyFilter::PrintSelf(ostream& os, vtkIndent indent)
@@ -214,16 +165,7 @@ void vtkNormalAnalogyFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Style: " << this->Style << "\n";
   os << indent << "Weight: " << this->Weight << "\n";
-  os << indent << "StopRule: " << this->StopRule << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
-  os << indent << "Acceleration: " << OnOff(this->Acceleration) << "\n";
-  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
-  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
-  os << indent << "GenerateNormals: " << OnOff(this->GenerateNormals) << "\n";
-  os << indent << "GenerateTargetNormal: " << OnOff(this->GenerateTargetNormal) << "\n";
+  os << indent << "GenerateTargetNormal: " << vtkFilterSupport::OnOff(this->GenerateTargetNormal)
+     << "\n";
   os << indent << "NumberOfStyleNormals: " << this->NumberOfStyleNormals << "\n";
-  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
-  os << indent << "Converged: " << OnOff(this->Converged) << "\n";
-  os << indent << "FinalEnergy: " << this->FinalEnergy << "\n";
 }

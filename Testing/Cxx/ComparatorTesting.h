@@ -179,7 +179,7 @@ void CheckContract(Checker& check, const std::vector<std::string>& properties)
     leave);
 }
 
-/// Of the filters of vtkLocalTermStyle.
+/// Of the filters of vtkLocalTermAlgorithm.
 template <typename FilterType>
 void CheckIteration(Checker& check, const char* secondTerm)
 {
