@@ -72,7 +72,7 @@ CellPulls::CellPulls(const CellPattern& pattern, const MeshTopology& topology,
               this->Own.row(y) += difference(k);
               continue;
             }
-            const std::ptrdiff_t entry = std::find(first, beyond, j) - neighbors;
+            const std::ptrdiff_t entry = std::lower_bound(first, beyond, j) - neighbors;
             row(this->OfCell, entry) += difference(k);
             row(this->OfPoint, entry) += own;
           }

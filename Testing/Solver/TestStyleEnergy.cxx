@@ -6,10 +6,12 @@
 #include "Check.h"
 #include "DeformationMeasures.h"
 #include "Meshes.h"
+#include "Stopwatch.h"
 #include "StyleEnergy.h"
 #include "SurfaceMeasures.h"
 #include "TargetDirections.h"
 
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -621,6 +623,36 @@ void TestThreads()
     CHECK(same, threads << " threads: the covariances differ");
   }
 }
+
+/// A disc around one point, as the end of a cylinder of very many sides: where a point has all the
+/// others as its neighbours, sums over cells must not take the square of their number.
+void TestManyNeighbors()
+{
+  const auto seconds = [](const TriangleMesh& mesh)
+  {
+    const MeshTopology topology(mesh.F, static_cast<int>(mesh.P.rows()));
+    Meshes::Random random(15);
+    StyleEnergy energy =
+      RandomEnergy(topology, mesh.P, random, EdgeWeighting::HalfEdge, SphericalWeighting::Uniform);
+    const Stopwatch watch;
+    const CellPattern pattern(topology);
+    energy.PrepareSteps(pattern);
+    return watch.Seconds();
+  };
+  const TriangleMesh ball = Meshes::Icosphere(6);
+  const auto around = static_cast<int>(ball.F.rows());
+  TriangleMesh disc = { Points::Zero(around + 1, 3), Triangles(around, 3) };
+  for (int i = 0; i < around; ++i)
+  {
+    const double angle = 2.0 * Pi * i / around;
+    disc.P.row(i) << std::cos(angle), std::sin(angle), 0.0;
+    disc.F.row(i) << i, (i + 1) % around, around;
+  }
+  const double ofBall = seconds(ball);
+  const double ofDisc = seconds(disc);
+  CHECK(ofDisc <= 20.0 * ofBall,
+    "a disc takes " << ofDisc << " s, a ball of as many triangles " << ofBall << " s");
+}
 } // namespace
 
 int main()
@@ -637,5 +669,6 @@ int main()
   TestMeasures();
   TestBase();
   TestThreads();
+  TestManyNeighbors();
   return CheckResult();
 }
