@@ -53,7 +53,7 @@ struct Node : SupernodePanel
   using SupernodePanel::SupernodePanel;
 
   int firstColumn = 0;
-  int firstSlot = 0; // in the list of what row of X each slot is
+  std::size_t firstSlot = 0; // in the lists of what row of X each slot is
   std::size_t firstValue = 0;
 };
 
@@ -78,7 +78,8 @@ template <typename Scalar>
 struct Packed
 {
   std::vector<Node> nodes;
-  std::vector<int> slots; // row of X of each slot; its size where there is none
+  std::vector<int> slots;   // row of X of each slot; its size where there is none
+  std::vector<int> targets; // row of X that forward substitution adds each slot to: see Part
   AlignedArray<Scalar> values;
 
   std::size_t EndOfValues(int s) const
@@ -86,6 +87,16 @@ struct Packed
     return s + 1 < static_cast<int>(this->nodes.size()) ? this->nodes[s + 1].firstValue
                                                         : this->values.GetSize();
   }
+};
+
+/// A subtree, and what it works in. Several subtrees add to rows of the top: each to rows of X of
+/// its own first, after those of the columns and of what is no row.
+struct Part
+{
+  SupernodalTasks::Range supernodes;
+  std::vector<int> columns;     // of the top that it adds to
+  int firstRow = 0;             // of its own in X, one for each of the columns
+  std::ptrdiff_t firstTile = 0; // of one supernode at a time
 };
 
 //---------------------------------------------------------------------------------------- packing
@@ -141,7 +152,7 @@ void LayOut(const SupernodalPattern& L, Packed<Scalar>& packed)
   {
     Node node(L.GetColumns(s), L.GetRowsBelow(s));
     node.firstColumn = L.firstColumn[s];
-    node.firstSlot = static_cast<int>(packed.slots.size());
+    node.firstSlot = packed.slots.size();
     node.firstValue = size;
     const auto add = [&](const int* first, int count)
     {
@@ -155,7 +166,34 @@ void LayOut(const SupernodalPattern& L, Packed<Scalar>& packed)
     size += CountValues(node);
     packed.nodes.push_back(node);
   }
+  packed.targets = packed.slots;
   packed.values.Resize(size);
+}
+
+/// Gives a subtree rows of its own, from firstRow on. @param ownRow  of each column, where it had
+/// one last
+template <typename Scalar>
+void SetTargets(Packed<Scalar>& packed, std::vector<int>& ownRow, Part& part)
+{
+  const Node& root = packed.nodes[part.supernodes.last - 1];
+  const int beyond = root.firstColumn + root.columns;
+  for (int s = part.supernodes.first; s < part.supernodes.last; ++s)
+  {
+    const Node& node = packed.nodes[s];
+    int* below = packed.targets.data() + node.firstSlot + node.ownTiles * TileRows;
+    for (int* target = below; target != below + node.rowsBelow; ++target)
+    {
+      if (const int column = *target; column >= beyond)
+      {
+        if (ownRow[column] < part.firstRow)
+        {
+          ownRow[column] = part.firstRow + static_cast<int>(part.columns.size());
+          part.columns.push_back(column);
+        }
+        *target = ownRow[column];
+      }
+    }
+  }
 }
 
 //---------------------------------------------------------------------------------------- solving
@@ -189,26 +227,16 @@ SPHERICALSTYLE_INLINE Point<Scalar> SumRows(const Rows<Scalar>* a)
     __builtin_shufflevector(first, second, 2, 3, 6, 7);
 }
 
-/// Where what a supernode adds to later rows goes: to X, but to `top` where these belong to the top
-/// and several subtrees add to them.
-template <typename Scalar>
-struct Sums
-{
-  Point<Scalar>* X;
-  Point<Scalar>* top = nullptr; // by column of the top, or nullptr: all to X
-  const int* topColumns = nullptr;
-};
-
 /// X := L^-1 X for the columns of one supernode. @param w  room for three vectors a tile
 template <typename Scalar>
 SPHERICALSTYLE_INLINE void SolveForward(
-  const Packed<Scalar>& L, int s, const Sums<Scalar>& sums, Rows<Scalar>* w)
+  const Packed<Scalar>& L, int s, Point<Scalar>* X, Rows<Scalar>* w)
 {
   const Node& node = L.nodes[s];
   const int* slot = L.slots.data() + node.firstSlot;
   for (int t = 0; t < node.ownTiles; ++t)
   {
-    Gather<Scalar>(sums.X, slot + t * TileRows, w + 3 * t);
+    Gather<Scalar>(X, slot + t * TileRows, w + 3 * t);
   }
   std::fill(w + 3 * node.ownTiles, w + 3 * node.tiles, Rows<Scalar>{});
   const Scalar* values = L.values.Get() + node.firstValue;
@@ -231,7 +259,7 @@ SPHERICALSTYLE_INLINE void SolveForward(
       }
     }
     const int width = std::min(BlockColumns, node.columns - j);
-    std::copy(solved, solved + width, sums.X + node.firstColumn + j);
+    std::copy(solved, solved + width, X + node.firstColumn + j);
     values += InverseSize;
     for (int t = FirstTile(node, j); t < node.tiles; ++t, values += TileSize)
     {
@@ -242,14 +270,12 @@ SPHERICALSTYLE_INLINE void SolveForward(
       }
     }
   }
-  const int* below = slot + node.ownTiles * TileRows;
+  const int* below = L.targets.data() + node.firstSlot + node.ownTiles * TileRows;
   for (int i = 0; i < node.rowsBelow; ++i)
   {
     const auto* added =
       reinterpret_cast<Scalar*>(w + 3 * (node.ownTiles + i / TileRows)) + i % TileRows;
-    const int top = sums.top ? sums.topColumns[below[i]] : -1;
-    (top < 0 ? sums.X[below[i]] : sums.top[top]) +=
-      Point<Scalar>{ added[0], added[TileRows], added[2 * TileRows], 0 };
+    X[below[i]] += Point<Scalar>{ added[0], added[TileRows], added[2 * TileRows], 0 };
   }
 }
 
@@ -302,11 +328,11 @@ SPHERICALSTYLE_INLINE void SolveBackward(
 
 template <typename Scalar>
 SPHERICALSTYLE_INLINE void SolveForward(
-  const Packed<Scalar>& L, SupernodalTasks::Range range, const Sums<Scalar>& sums, Rows<Scalar>* w)
+  const Packed<Scalar>& L, SupernodalTasks::Range range, Point<Scalar>* X, Rows<Scalar>* w)
 {
   for (int s = range.first; s < range.last; ++s)
   {
-    SolveForward(L, s, sums, w);
+    SolveForward(L, s, X, w);
   }
 }
 
@@ -327,7 +353,7 @@ SPHERICALSTYLE_INLINE void SolveTop(
 {
   for (const int s : top)
   {
-    SolveForward<Scalar>(L, s, { X }, w);
+    SolveForward<Scalar>(L, s, X, w);
   }
   for (auto s = top.rbegin(); s != top.rend(); ++s)
   {
@@ -337,10 +363,10 @@ SPHERICALSTYLE_INLINE void SolveTop(
 
 // Templates cannot be compiled once per instruction set; these are.
 #define SPHERICALSTYLE_COMPILE_SOLVES(Scalar)                                                      \
-  SPHERICALSTYLE_PER_INSTRUCTION_SET void ForwardSubtree(const Packed<Scalar>& L,                  \
-    SupernodalTasks::Range range, const Sums<Scalar>& sums, Rows<Scalar>* w)                       \
+  SPHERICALSTYLE_PER_INSTRUCTION_SET void ForwardSubtree(                                          \
+    const Packed<Scalar>& L, SupernodalTasks::Range range, Point<Scalar>* X, Rows<Scalar>* w)      \
   {                                                                                                \
-    SolveForward<Scalar>(L, range, sums, w);                                                       \
+    SolveForward<Scalar>(L, range, X, w);                                                          \
   }                                                                                                \
   SPHERICALSTYLE_PER_INSTRUCTION_SET void BackwardSubtree(                                         \
     const Packed<Scalar>& L, SupernodalTasks::Range range, Point<Scalar>* X, Rows<Scalar>* w)      \
@@ -368,30 +394,62 @@ struct PackedFactor<Scalar>::Data : Packed<Scalar>
   {
   }
 
+  void MakeParts();
+  int CountTiles(SupernodalTasks::Range range) const;
+
   SupernodalTasks tasks;
   std::vector<int> permutation;
-  int largestNumberOfTiles = 0;
-  // Kept between solves: X and a row of zeros; and for each subtree and for the top, the tiles of
-  // one supernode and what is to be added to the top.
+  std::vector<Part> parts;
+  std::ptrdiff_t firstTopTile = 0;
+  // Kept between solves: X, a row of zeros and the rows of the subtrees; and for each subtree and
+  // for the top, the tiles of one supernode.
   AlignedArray<Scalar> X;
   AlignedArray<Scalar> tiles;
-  AlignedArray<Scalar> top;
 };
+
+template <typename Scalar>
+int PackedFactor<Scalar>::Data::CountTiles(SupernodalTasks::Range range) const
+{
+  int most = 0;
+  for (int s = range.first; s < range.last; ++s)
+  {
+    most = std::max(most, this->nodes[s].tiles);
+  }
+  return most;
+}
+
+template <typename Scalar>
+void PackedFactor<Scalar>::Data::MakeParts()
+{
+  const auto n = static_cast<int>(this->permutation.size());
+  std::vector<int> ownRow(n, 0);
+  int row = n + 1;
+  for (const SupernodalTasks::Range& range : this->tasks.GetSubtrees())
+  {
+    Part part;
+    part.supernodes = range;
+    part.firstRow = row;
+    part.firstTile = this->firstTopTile;
+    SetTargets<Scalar>(*this, ownRow, part);
+    row += static_cast<int>(part.columns.size());
+    this->firstTopTile += this->CountTiles(range);
+    this->parts.push_back(std::move(part));
+  }
+  int most = 0;
+  for (const int s : this->tasks.GetTop())
+  {
+    most = std::max(most, this->nodes[s].tiles);
+  }
+  this->X.Resize(PointSize * static_cast<std::size_t>(row));
+  this->tiles.Resize(3 * TileRows * static_cast<std::size_t>(this->firstTopTile + most));
+}
 
 template <typename Scalar>
 PackedFactor<Scalar>::PackedFactor(const SupernodalPattern& pattern)
   : D(std::make_unique<Data>(pattern))
 {
-  Data& d = *this->D;
-  LayOut<Scalar>(pattern, d);
-  for (const Node& node : d.nodes)
-  {
-    d.largestNumberOfTiles = std::max(d.largestNumberOfTiles, node.tiles);
-  }
-  const std::size_t subtrees = d.tasks.GetSubtrees().size();
-  d.X.Resize(PointSize * (d.permutation.size() + 1));
-  d.tiles.Resize(3 * TileRows * (subtrees + 1) * d.largestNumberOfTiles);
-  d.top.Resize(PointSize * subtrees * d.tasks.GetNumberOfTopColumns());
+  LayOut<Scalar>(pattern, *this->D);
+  this->D->MakeParts();
 }
 
 template <typename Scalar>
@@ -412,14 +470,10 @@ void PackedFactor<Scalar>::Solve(RightHandSides B, int threads) const
 {
   const Data& d = *this->D;
   const auto n = static_cast<int>(d.permutation.size());
-  const std::vector<SupernodalTasks::Range>& subtrees = d.tasks.GetSubtrees();
-  const auto count = static_cast<int>(subtrees.size());
-  const std::vector<int>& topColumns = d.tasks.GetTopColumns();
+  const auto count = static_cast<int>(d.parts.size());
   auto* X = reinterpret_cast<Point<Scalar>*>(d.X.Get());
-  const auto tiles = [&](std::ptrdiff_t k)
-  { return reinterpret_cast<Rows<Scalar>*>(d.tiles.Get()) + 3 * k * d.largestNumberOfTiles; };
-  const auto sums = [&](std::ptrdiff_t k)
-  { return reinterpret_cast<Point<Scalar>*>(d.top.Get()) + k * d.tasks.GetNumberOfTopColumns(); };
+  const auto tiles = [&d](std::ptrdiff_t first)
+  { return reinterpret_cast<Rows<Scalar>*>(d.tiles.Get()) + 3 * first; };
 
   X[n] = Point<Scalar>{};
   ParallelFor(n, threads,
@@ -435,22 +489,21 @@ void PackedFactor<Scalar>::Solve(RightHandSides B, int threads) const
   ParallelTasks(count, threads,
     [&](int k)
     {
-      std::fill(sums(k), sums(k) + d.tasks.GetNumberOfTopColumns(), Point<Scalar>{});
-      ForwardSubtree(d, subtrees[k], { X, sums(k), topColumns.data() }, tiles(k));
+      const Part& part = d.parts[k];
+      std::fill_n(X + part.firstRow, part.columns.size(), Point<Scalar>{});
+      ForwardSubtree(d, part.supernodes, X, tiles(part.firstTile));
     });
-  for (const int s : d.tasks.GetTop())
+  for (const Part& part : d.parts)
   {
-    const Node& node = d.nodes[s];
-    for (int column = node.firstColumn; column < node.firstColumn + node.columns; ++column)
+    const Point<Scalar>* added = X + part.firstRow;
+    for (const int column : part.columns)
     {
-      for (int k = 0; k < count; ++k)
-      {
-        X[column] += sums(k)[topColumns[column]];
-      }
+      X[column] += *added++;
     }
   }
-  UpAndDownTop(d, d.tasks.GetTop(), X, tiles(count));
-  ParallelTasks(count, threads, [&](int k) { BackwardSubtree(d, subtrees[k], X, tiles(k)); });
+  UpAndDownTop(d, d.tasks.GetTop(), X, tiles(d.firstTopTile));
+  ParallelTasks(count, threads,
+    [&](int k) { BackwardSubtree(d, d.parts[k].supernodes, X, tiles(d.parts[k].firstTile)); });
   ParallelFor(n, threads,
     [&](int begin, int end)
     {

@@ -334,7 +334,6 @@ std::vector<int> SupernodalPattern::GetParents() const
 }
 
 SupernodalTasks::SupernodalTasks(const SupernodalPattern& L)
-  : TopColumns(L.GetNumberOfColumns(), -1)
 {
   const int count = L.GetNumberOfSupernodes();
   const std::vector<int> parents = L.GetParents();
@@ -360,12 +359,23 @@ SupernodalTasks::SupernodalTasks(const SupernodalPattern& L)
     }
   }
   const bool small = L.GetNumberOfColumns() < SmallestSize;
+  double last = 0.0; // work of the subtree that was found last
   for (int s = count - 1; s >= 0;)
   {
     const bool inOnePiece = first[s] + size[s] == s + 1; // as a postordered tree has it
     if (!small && inOnePiece && work[s] <= SmallestShare * total)
     {
-      this->Subtrees.push_back({ first[s], s + 1 });
+      const bool beside = !this->Subtrees.empty() && this->Subtrees.back().first == s + 1;
+      if (beside && last + work[s] <= SmallestShare * total)
+      {
+        last += work[s];
+        this->Subtrees.back().first = first[s];
+      }
+      else
+      {
+        last = work[s];
+        this->Subtrees.push_back({ first[s], s + 1 });
+      }
       s = first[s] - 1;
     }
     else
@@ -374,12 +384,5 @@ SupernodalTasks::SupernodalTasks(const SupernodalPattern& L)
     }
   }
   std::reverse(this->Top.begin(), this->Top.end());
-  for (const int s : this->Top)
-  {
-    for (int column = L.firstColumn[s]; column < L.firstColumn[s + 1]; ++column)
-    {
-      this->TopColumns[column] = this->NumberOfTopColumns++;
-    }
-  }
 }
 } // namespace SphericalStyle

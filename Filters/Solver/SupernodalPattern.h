@@ -97,8 +97,9 @@ struct SupernodePanel
 };
 
 /// Which supernodes can be worked on at the same time: subtrees of the elimination tree, which
-/// touch no column of each other, and the rest, the top. Depends on the pattern alone and not on
-/// the number of threads, so that sums have one order.
+/// touch no column of each other, and the rest, the top. Small subtrees that stand side by side are
+/// one, so that there are few even for a surface of many parts. Depends on the pattern alone and
+/// not on the number of threads, so that sums have one order.
 class SupernodalTasks
 {
 public:
@@ -114,15 +115,10 @@ public:
   const std::vector<Range>& GetSubtrees() const { return this->Subtrees; }
   /// The others, ascending.
   const std::vector<int>& GetTop() const { return this->Top; }
-  /// Columns of the top, numbered in their order; -1 for those of a subtree.
-  const std::vector<int>& GetTopColumns() const { return this->TopColumns; }
-  int GetNumberOfTopColumns() const { return this->NumberOfTopColumns; }
 
 private:
   std::vector<Range> Subtrees;
   std::vector<int> Top;
-  std::vector<int> TopColumns;
-  int NumberOfTopColumns = 0;
 };
 } // namespace SphericalStyle
 

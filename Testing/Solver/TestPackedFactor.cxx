@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 using namespace SphericalStyle;
 using Eigen::MatrixXd;
@@ -215,32 +216,56 @@ void TestSubtrees()
   check(blocks.Pack<float>(), 1e-4);
 }
 
-/// The factor of a grid: its tree is one of nested parts.
-void TestGrid()
+/// Springs between points, each also held a little: positive definite.
+SparseCholesky::Matrix Springs(int n, const std::vector<std::pair<int, int>>& pairs)
 {
-  const int side = 120;
-  const int n = side * side;
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < n; ++i)
   {
-    entries.emplace_back(i, i, 4.01);
-    if ((i + 1) % side != 0)
-    {
-      entries.emplace_back(i + 1, i, -1.0);
-    }
-    if (i + side < n)
-    {
-      entries.emplace_back(i + side, i, -1.0);
-    }
+    entries.emplace_back(i, i, 0.01);
+  }
+  for (const auto& [u, v] : pairs)
+  {
+    entries.emplace_back(u, u, 1.0);
+    entries.emplace_back(v, v, 1.0);
+    entries.emplace_back(std::max(u, v), std::min(u, v), -1.0);
   }
   SparseCholesky::Matrix A(n, n);
   A.setFromTriplets(entries.begin(), entries.end());
+  return A;
+}
+
+/// On a sheet of triangles, or a tube of them, from point `first` on.
+std::vector<std::pair<int, int>> GridPairs(int first, int around, int along, bool tube)
+{
+  std::vector<std::pair<int, int>> pairs;
+  for (int i = 0; i < along; ++i)
+  {
+    for (int j = 0; j < around; ++j)
+    {
+      const auto add = [&](int k, int l)
+      {
+        if ((tube || l < around) && k < along)
+        {
+          pairs.emplace_back(first + i * around + j, first + k * around + l % around);
+        }
+      };
+      add(i, j + 1);
+      add(i + 1, j);
+      add(i + 1, j + 1);
+    }
+  }
+  return pairs;
+}
+
+void CheckSystem(const char* name, const SparseCholesky::Matrix& A)
+{
   SparseCholesky cholesky;
   cholesky.Analyze(A);
   cholesky.Factor(A);
   Meshes::Random random(3);
-  SparseCholesky::RightHandSides x(n, 3);
-  for (int i = 0; i < n; ++i)
+  SparseCholesky::RightHandSides x(A.rows(), 3);
+  for (Eigen::Index i = 0; i < x.rows(); ++i)
   {
     x.row(i) = random.InCube();
   }
@@ -250,18 +275,40 @@ void TestGrid()
   {
     SparseCholesky::RightHandSides solved = b;
     cholesky.Solve(solved, threads);
-    CHECK((solved - x).cwiseAbs().maxCoeff() <= 1e-12,
-      "grid: off by " << (solved - x).cwiseAbs().maxCoeff());
+    CHECK((solved - x).cwiseAbs().maxCoeff() <= 1e-11,
+      name << ": off by " << (solved - x).cwiseAbs().maxCoeff());
     first = threads == 1 ? solved : first;
-    CHECK(solved == first, "grid: " << threads << " threads should give the same bits as one");
+    CHECK(solved == first, name << ": " << threads << " threads should give the same bits as one");
   }
+}
+
+/// Trees of all forms: nested parts; a chain with a subtree at each link, as of a wire; and very
+/// many that have nothing to do with each other beside a large one. For the last two, rows of the
+/// top for each subtree would be terabytes.
+void TestTrees()
+{
+  CheckSystem("a sheet", Springs(120 * 120, GridPairs(0, 120, 120, false)));
+  CheckSystem("a tube", Springs(8 * 60000, GridPairs(0, 8, 60000, true)));
+
+  const int loose = 200000;
+  const int side = 300;
+  std::vector<std::pair<int, int>> pairs = GridPairs(2 * loose, side, side, false);
+  for (int i = 0; i < loose; ++i)
+  {
+    pairs.emplace_back(2 * i, 2 * i + 1);
+  }
+  const SparseCholesky::Matrix A = Springs(2 * loose + side * side, pairs);
+  const SupernodalTasks tasks{ SupernodalPattern(A) };
+  CHECK(tasks.GetSubtrees().size() > 4 && tasks.GetSubtrees().size() < 100,
+    "small subtrees should be taken together, there are " << tasks.GetSubtrees().size());
+  CheckSystem("many parts", A);
 }
 }
 
 int main()
 {
   TestSubtrees();
-  TestGrid();
+  TestTrees();
   Meshes::Random random(1);
   for (const double fill : { 0.0, 0.2, 1.0 })
   {
