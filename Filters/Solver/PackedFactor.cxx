@@ -7,6 +7,8 @@
 #include "Vector4.h"
 
 #include <algorithm>
+#include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace SphericalStyle
@@ -465,6 +467,22 @@ void PackedFactor<Scalar>::Set(int s, const double* panel)
   PackNode(node, panel, this->D->values.Get() + node.firstValue);
 }
 
+namespace
+{
+/// What brings B into the range of Scalar: a power of two, so that no digit changes.
+template <typename Scalar>
+double ScaleInto(const Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>& B)
+{
+  if (std::is_same_v<Scalar, double> || B.rows() == 0)
+  {
+    return 1.0;
+  }
+  int exponent = 0;
+  std::frexp(B.cwiseAbs().maxCoeff(), &exponent);
+  return std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+}
+}
+
 template <typename Scalar>
 void PackedFactor<Scalar>::Solve(RightHandSides B, int threads) const
 {
@@ -475,13 +493,14 @@ void PackedFactor<Scalar>::Solve(RightHandSides B, int threads) const
   const auto tiles = [&d](std::ptrdiff_t first)
   { return reinterpret_cast<Rows<Scalar>*>(d.tiles.Get()) + 3 * first; };
 
+  const double scale = ScaleInto<Scalar>(B);
   X[n] = Point<Scalar>{};
   ParallelFor(n, threads,
     [&](int begin, int end)
     {
       for (int k = begin; k < end; ++k)
       {
-        const auto row = B.row(d.permutation[k]);
+        const Eigen::RowVector3d row = scale * B.row(d.permutation[k]);
         X[k] = Point<Scalar>{ static_cast<Scalar>(row[0]), static_cast<Scalar>(row[1]),
           static_cast<Scalar>(row[2]), 0 };
       }
@@ -509,7 +528,7 @@ void PackedFactor<Scalar>::Solve(RightHandSides B, int threads) const
     {
       for (int k = begin; k < end; ++k)
       {
-        B.row(d.permutation[k]) = Eigen::RowVector3d(X[k][0], X[k][1], X[k][2]);
+        B.row(d.permutation[k]) = Eigen::RowVector3d(X[k][0], X[k][1], X[k][2]) / scale;
       }
     });
 }

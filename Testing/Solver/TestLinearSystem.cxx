@@ -167,6 +167,36 @@ void TestChoice()
     "a factor that does not fit should not be made");
 }
 
+/// Lengths far beyond the exponents of single precision make no difference.
+void TestRange()
+{
+  const LinearSystem::Matrix A = Grid(40, 0.01);
+  const Rows exact = RandomRows(A.rows(), 8);
+  const Rows B = A.selfadjointView<Eigen::Lower>() * exact;
+  for (const LinearMethod method :
+    { LinearMethod::Factor, LinearMethod::SingleFactor, LinearMethod::ConjugateGradients })
+  {
+    for (const double size : { 1e-150, 1e-60, 1.0, 1e60, 1e150 })
+    {
+      LinearSystem system(method);
+      system.SetShareLeft(1e-20);
+      Rows X = Rows::Zero(A.rows(), 3);
+      Solve(system, A, size * B, X);
+      CHECK((X / size - exact).cwiseAbs().maxCoeff() <= 1e-9,
+        system.GetName() << ", size " << size << ": off by "
+                         << (X / size - exact).cwiseAbs().maxCoeff());
+    }
+  }
+  LinearSystem system(LinearMethod::SingleFactor);
+  for (const double size : { 1e-120, 1e120 })
+  {
+    Rows X = Rows::Zero(A.rows(), 3);
+    const std::string name = Solve(system, size * A, B, X);
+    CHECK((size * X - exact).cwiseAbs().maxCoeff() <= 1e-9,
+      name << ", matrix of " << size << ": off by " << (size * X - exact).cwiseAbs().maxCoeff());
+  }
+}
+
 /// Only with full-edge weights.
 void TestIndefinite()
 {
@@ -290,6 +320,7 @@ int main()
   TestFromTheSolution();
   TestThreads();
   TestChoice();
+  TestRange();
   TestIndefinite();
   TestIndefiniteBefore();
   TestSolves();
