@@ -16,11 +16,20 @@ HalfEdgeScalars HalfEdgeCotangents(const Points& P, const Triangles& F)
   HalfEdgeScalars c(F.rows(), 3);
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
+    Eigen::Matrix3d e; // the half-edges
     for (int k = 0; k < 3; ++k)
     {
-      const Eigen::Vector3d x = P.row(F(f, HalfEdgeStart(k))) - P.row(F(f, k));
-      const Eigen::Vector3d y = P.row(F(f, HalfEdgeEnd(k))) - P.row(F(f, k));
-      c(f, k) = 0.5 * x.dot(y) / x.cross(y).norm();
+      e.col(k) = P.row(F(f, HalfEdgeStart(k))) - P.row(F(f, HalfEdgeEnd(k)));
+    }
+    // One area for all three: of a sliver it has few digits, and three of them would be a form that
+    // is not positive semidefinite by far. The two shorter edges have the most.
+    int longest = 0;
+    e.colwise().squaredNorm().maxCoeff(&longest);
+    const double area =
+      e.col(HalfEdgeStart(longest)).cross(e.col(HalfEdgeEnd(longest))).norm(); // twice
+    for (int k = 0; k < 3; ++k)
+    {
+      c(f, k) = -0.5 * e.col(HalfEdgeStart(k)).dot(e.col(HalfEdgeEnd(k))) / area;
     }
   }
   return c;

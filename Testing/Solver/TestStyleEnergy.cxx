@@ -11,6 +11,8 @@
 #include "SurfaceMeasures.h"
 #include "TargetDirections.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -340,6 +342,23 @@ void TestNeverNegative()
     const EnergyTerms terms = energy.Evaluate(Q, RandomRotations(3, random));
     CHECK(terms.rigid >= 0.0 && terms.spherical >= 0.0,
       "a triangle's energy should not be negative: " << terms.rigid << ", " << terms.spherical);
+  }
+  // Nearly without area, where only few digits of it are right, the form stays semidefinite up to
+  // the rounding of its largest numbers.
+  for (int round = 0; round < 300; ++round)
+  {
+    const double height = std::pow(10.0, -6.0 - 3.5 * random.Unit());
+    const double foot = round % 3 == 0 ? 1.0 - height : random.Unit();
+    const TriangleMesh mesh =
+      Meshes::Turned(Meshes::Make({ { foot, height, 0 }, { 0, 0, 0 }, { 1, 0, 0 } },
+                       { { round % 2, 1 - round % 2, 2 } }),
+        random.Rotation());
+    const Vector3d c = HalfEdgeCotangents(mesh.P, mesh.F).row(0);
+    Matrix3d form;
+    form << c(1) + c(2), -c(2), -c(1), -c(2), c(0) + c(2), -c(0), -c(1), -c(0), c(0) + c(1);
+    const double least = Eigen::SelfAdjointEigenSolver<Matrix3d>(form).eigenvalues()(0);
+    CHECK(least >= -1e-14 * form.cwiseAbs().maxCoeff(),
+      "height " << height << ": the least eigenvalue of the form is " << least);
   }
   for (const Named& named : AllMeshes())
   {

@@ -568,6 +568,36 @@ void TestMovedHandles()
   }
 }
 
+/// Points moved onto the opposite edges of their triangles, but for 1e-9 of the size: the matrix
+/// stays positive definite, and without roundness the model as it is.
+void TestSlivers()
+{
+  for (int seed = 0; seed < 40; ++seed)
+  {
+    TriangleMesh mesh = Meshes::Perturbed(Meshes::Icosphere(3), 0.05, seed);
+    Meshes::Random random(seed + 1);
+    for (int k = 0; k < 40; ++k)
+    {
+      const auto corners = mesh.F.row(static_cast<int>(random.Unit() * mesh.F.rows()));
+      mesh.P.row(corners(0)) = 0.5 * (mesh.P.row(corners(1)) + mesh.P.row(corners(2))) +
+        1e-9 * random.InCube().transpose();
+    }
+    for (const double detailSize : { 0.0, 0.03 })
+    {
+      StyleSolver solver;
+      solver.SetMesh(mesh);
+      StyleOptions options = Fixed({}, 5);
+      options.lambda = 0.0;
+      options.detailSize = detailSize;
+      const StyleReport report = solver.Solve(options);
+      CHECK(report.linearSolver == "multifrontal LLT",
+        "seed " << seed << ": solved by " << report.linearSolver);
+      const double moved = Meshes::Distance(solver.GetPositions(), mesh.P);
+      CHECK(moved <= 1e-4, "seed " << seed << ": points moved by " << moved);
+    }
+  }
+}
+
 void TestRefusedOptions()
 {
   const TriangleMesh mesh = House();
@@ -736,6 +766,7 @@ int main()
   TestBackends();
   TestFixedPoints();
   TestMovedHandles();
+  TestSlivers();
   TestRefusedOptions();
   TestRefusedMeshes();
   return CheckResult();
