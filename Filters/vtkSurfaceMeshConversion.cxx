@@ -215,8 +215,22 @@ void WithTuples(vtkDataArray* array, Body&& body)
   }
 }
 
+/// Arrays that the filters read tuple by tuple: VTK looks at them when they are set, and not when
+/// their number of components is changed afterwards.
+void CheckComponents(vtkDataArray* array, const char* what)
+{
+  if (array->GetNumberOfComponents() != 3)
+  {
+    std::ostringstream message;
+    message << what << ": array \"" << (array->GetName() ? array->GetName() : "") << "\" has "
+            << array->GetNumberOfComponents() << " components, not 3";
+    Refuse(message);
+  }
+}
+
 Points AllPoints(vtkPolyData* input)
 {
+  CheckComponents(input->GetPoints()->GetData(), "Points");
   Points x(input->GetNumberOfPoints(), 3);
   WithTuples(input->GetPoints()->GetData(),
     [&x](const auto& tuples)
@@ -287,7 +301,8 @@ bool HasTriangles(vtkPolyData* input, const vtkSurfaceMesh& surface)
 /// Whether the points stand where those of the mesh do, and the others where they did.
 bool HasPoints(vtkPolyData* input, const vtkSurfaceMesh& surface)
 {
-  if (static_cast<std::size_t>(input->GetNumberOfPoints()) != surface.MeshPoint.size())
+  if (static_cast<std::size_t>(input->GetNumberOfPoints()) != surface.MeshPoint.size() ||
+    input->GetPoints()->GetData()->GetNumberOfComponents() != 3)
   {
     return false;
   }
@@ -314,7 +329,12 @@ bool HasPoints(vtkPolyData* input, const vtkSurfaceMesh& surface)
 void CheckNormals(vtkDataSetAttributes* attributes, vtkIdType number, const char* what)
 {
   vtkDataArray* normals = attributes->GetNormals();
-  if (normals && normals->GetNumberOfTuples() != number)
+  if (!normals)
+  {
+    return;
+  }
+  CheckComponents(normals, "Normals");
+  if (normals->GetNumberOfTuples() != number)
   {
     std::ostringstream message;
     message << "Normals: array \"" << (normals->GetName() ? normals->GetName() : "") << "\" has "
@@ -329,7 +349,7 @@ void CheckAllNormals(vtkPolyData* input)
   CheckNormals(input->GetCellData(), input->GetNumberOfCells(), "cells");
 }
 
-void CheckArrays(vtkDataSetAttributes* attributes, vtkIdType number, const char* what)
+void CheckSizes(vtkDataSetAttributes* attributes, vtkIdType number, const char* what)
 {
   for (int k = 0; k < attributes->GetNumberOfArrays(); ++k)
   {
@@ -671,8 +691,13 @@ void CheckPiece(vtkPolyData* piece)
   {
     CheckedPoints(piece);
   }
-  CheckArrays(piece->GetPointData(), piece->GetNumberOfPoints(), "points");
-  CheckArrays(piece->GetCellData(), piece->GetNumberOfCells(), "cells");
+  CheckArrays(piece);
+}
+
+void CheckArrays(vtkPolyData* input)
+{
+  CheckSizes(input->GetPointData(), input->GetNumberOfPoints(), "points");
+  CheckSizes(input->GetCellData(), input->GetNumberOfCells(), "cells");
 }
 
 std::vector<FaceTriangle> Triangles(vtkPolyData* input)

@@ -72,6 +72,10 @@ bool Update(vtkPolyData* input, bool weld, vtkSurfaceMesh& surface);
 /// @throw std::invalid_argument see FromPolyData, or naming the array
 void CheckPiece(vtkPolyData* piece);
 
+/// @throw std::invalid_argument naming the first array of points or cells whose number of tuples is
+///        another than theirs
+void CheckArrays(vtkPolyData* input);
+
 /// A triangle of a cell, by input points.
 struct FaceTriangle
 {

@@ -32,25 +32,41 @@ using SphericalStyle::Points;
 
 namespace
 {
-/// Whether the list has the shape that its content asks for; vtkExtractSelection would select
-/// nothing.
+/// Whether the list is what its content asks for. vtkExtractSelection would select nothing over
+/// a wrong shape, and end the process over what is no numbers.
 bool HasGoodList(vtkSelectionNode* node)
 {
   vtkAbstractArray* list = node->GetSelectionList();
+  const bool numbers = vtkDataArray::SafeDownCast(list) != nullptr;
   switch (node->GetContentType())
   {
     case vtkSelectionNode::LOCATIONS:
-      return list && list->GetNumberOfComponents() == 3;
+      return numbers && list->GetNumberOfComponents() == 3;
     case vtkSelectionNode::FRUSTUM:
-      return list && list->GetNumberOfValues() == 32; // eight corners
+      return numbers && list->GetNumberOfValues() == 32; // eight corners
     case vtkSelectionNode::THRESHOLDS:
-      return list && list->GetNumberOfValues() % 2 == 0;
+      return numbers && list->GetNumberOfValues() % 2 == 0;
+    case vtkSelectionNode::BLOCKS:
+      return numbers;
+    case vtkSelectionNode::GLOBALIDS:
+    case vtkSelectionNode::PEDIGREEIDS:
+    case vtkSelectionNode::VALUES:
+    case vtkSelectionNode::INDICES:
+      return numbers || !list;
     default:
       return true;
   }
 }
 
-void CheckNodes(vtkSelection* selection)
+/// Whether the list is compared with an array of the input, which vtkExtractSelection takes to be
+/// of full length.
+bool ComparesWithArray(int content)
+{
+  return content == vtkSelectionNode::GLOBALIDS || content == vtkSelectionNode::PEDIGREEIDS ||
+    content == vtkSelectionNode::VALUES || content == vtkSelectionNode::THRESHOLDS;
+}
+
+void CheckNodes(vtkPolyData* input, vtkSelection* selection)
 {
   for (unsigned int i = 0; i < selection->GetNumberOfNodes(); ++i)
   {
@@ -71,7 +87,12 @@ void CheckNodes(vtkSelection* selection)
     {
       throw std::invalid_argument(std::string("Selection: the list of ") +
         vtkSelectionNode::GetContentTypeAsString(content) +
-        " must have 3 components (locations), 32 values (a frustum) or pairs (thresholds)");
+        " must be numbers: with 3 components (locations), 32 of them (a frustum), or pairs "
+        "(thresholds)");
+    }
+    if (ComparesWithArray(content))
+    {
+      vtkSurfaceMeshConversion::CheckArrays(input);
     }
     if (node->GetFieldType() != vtkSelectionNode::POINT &&
       node->GetFieldType() != vtkSelectionNode::CELL)
@@ -150,7 +171,7 @@ Eigen::VectorXd DistancesToOutside(const Points& P, const std::vector<char>& ins
 std::vector<char> vtkSurfaceRegion::SelectedPoints(
   vtkAlgorithm* self, vtkPolyData* input, vtkSelection* selection)
 {
-  CheckNodes(selection);
+  CheckNodes(input, selection);
   std::vector<char> selected(input->GetNumberOfPoints(), 0);
   if (selection->GetNumberOfNodes() == 0)
   {

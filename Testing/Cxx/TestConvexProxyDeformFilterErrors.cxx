@@ -456,6 +456,33 @@ void Selections(Checker& check)
         filter->SetSelectionData(MakeSelection({ 1, 2, 3 }, vtkSelectionNode::POINT, content));
       });
   }
+  // It ends the process over lists that are no numbers, and over arrays that are too short.
+  for (const int content : { vtkSelectionNode::GLOBALIDS, vtkSelectionNode::PEDIGREEIDS,
+         vtkSelectionNode::VALUES, vtkSelectionNode::INDICES, vtkSelectionNode::FRUSTUM,
+         vtkSelectionNode::LOCATIONS, vtkSelectionNode::THRESHOLDS, vtkSelectionNode::BLOCKS })
+  {
+    ExpectError(check, "selection by strings, content type " + Text(content),
+      { "Selection", "must be numbers" },
+      [content](vtkConvexProxyDeformFilter* filter, vtkPolyData* input)
+      {
+        input->GetPointData()->AddArray(MakeArray("mine", input, 1, [](auto, int) { return 1.0; }));
+        const auto selection = MakeSelection({}, vtkSelectionNode::POINT, content);
+        selection->GetNode(0)->SetSelectionList(MakeStrings("mine", 32));
+        filter->SetSelectionData(selection);
+      });
+  }
+  for (const int content : { vtkSelectionNode::VALUES, vtkSelectionNode::THRESHOLDS })
+  {
+    ExpectError(check, "selection by a short array, content type " + Text(content),
+      { "\"mine\" has 3 tuples" },
+      [content](vtkConvexProxyDeformFilter* filter, vtkPolyData* input)
+      {
+        input->GetPointData()->AddArray(MakeAny<vtkDoubleArray>("mine", 3, 1));
+        const auto selection = MakeSelection({}, vtkSelectionNode::POINT, content);
+        selection->GetNode(0)->SetSelectionList(MakeAny<vtkDoubleArray>("mine", 2, 1));
+        filter->SetSelectionData(selection);
+      });
+  }
 }
 
 //------------------------------------------------------------------------------------------------

@@ -374,6 +374,34 @@ void WrongArrays(Checker& check)
   }
 }
 
+/// VTK looks at them when they are set, and not when they are changed afterwards.
+void WrongComponents(Checker& check)
+{
+  for (const int components : { 1, 2, 4, 9 })
+  {
+    ExpectError(
+      check, "normals of " + Text(components) + " components", { "Normals", "\"mine\"", "not 3" },
+      [components](vtkSphericalStyleFilter*, vtkPolyData* input)
+      {
+        const auto array = MakeArray("mine", input->GetNumberOfPoints(), 3, 1.0);
+        input->GetPointData()->SetNormals(array);
+        array->SetNumberOfComponents(components);
+        array->SetNumberOfTuples(input->GetNumberOfPoints());
+      },
+      WithoutArrays);
+    ExpectError(
+      check, "points of " + Text(components) + " components", { "Points", "not 3" },
+      [components](vtkSphericalStyleFilter*, vtkPolyData* input)
+      {
+        vtkDataArray* array = input->GetPoints()->GetData();
+        const vtkIdType n = array->GetNumberOfTuples();
+        array->SetNumberOfComponents(components);
+        array->SetNumberOfTuples(n);
+      },
+      [](vtkSphericalStyleFilter*, vtkPolyData* input) { input->DeepCopy(MakeModel()); });
+  }
+}
+
 void WrongValues(Checker& check)
 {
   std::vector<std::pair<ArrayOf, double>> cases;
@@ -542,6 +570,7 @@ int TestSphericalStyleFilterErrors(int argc, char* argv[])
   UnusedNumbers(check);
   NoVolume(check);
   WrongArrays(check);
+  WrongComponents(check);
   WrongValues(check);
   UnusedNormals(check);
   TooFewIterations(check);
