@@ -186,6 +186,7 @@ struct vtkSphericalStyleFilter::Internals
   vtkFoldGuard::Result Guarded;         // of this execution, empty without the guard
   SphericalStyle::StyleOptions Options; // of the last solve of the linear feature, as wanted
   vtkStyleReview Review;
+  int Feature = LINEAR; // of this execution: the property may change meanwhile
 
   struct Inputs
   {
@@ -413,7 +414,8 @@ SphericalStyle::StyleReport vtkSphericalStyleFilter::Internals::Solve(vtkSpheric
     self->SetProgressText("Rounding");
     self->UpdateProgress(0.1);
   }
-  if (self->Feature == NONLINEAR)
+  this->Feature = self->Feature;
+  if (this->Feature == NONLINEAR)
   {
     return run(this->Nonlinear, MakeNonlinearOptions(self, surface, inputs, region));
   }
@@ -505,7 +507,7 @@ void vtkSphericalStyleFilter::Internals::SetFacts(
 void vtkSphericalStyleFilter::Internals::Comment(vtkSphericalStyleFilter* self,
   const vtkSurfaceMesh& surface, const SphericalStyle::StyleReport& report, const Points& Q)
 {
-  if (Q.rows() == 0 || self->Feature != LINEAR || report.loop.aborted)
+  if (Q.rows() == 0 || this->Feature != LINEAR || report.loop.aborted)
   {
     return;
   }
@@ -525,7 +527,7 @@ void vtkSphericalStyleFilter::Internals::Tell(vtkSphericalStyleFilter* self,
 {
   SetFacts(self, report);
   Warn(self, surface, report);
-  if (self->Feature == NONLINEAR && Q.rows() > 0)
+  if (this->Feature == NONLINEAR && Q.rows() > 0)
   {
     this->WarnOfNonlinear(self, report);
   }
@@ -545,7 +547,7 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
   using vtkSurfaceMeshConversion::AddPointArray;
   const int type = output->GetPoints()->GetDataType();
   const bool solved = surface.Mesh.F.rows() > 0;
-  const bool linear = self->Feature == LINEAR;
+  const bool linear = this->Feature == LINEAR;
   if (self->GenerateTargetDirection && linear)
   {
     AddPointArray(output, surface, "TargetDirection", type,
@@ -590,7 +592,7 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
 
 //------------------------------------------------------------------------------------------------
 vtkSphericalStyleFilter::vtkSphericalStyleFilter()
-  : Internal(std::make_unique<Internals>())
+  : Internal(std::make_shared<Internals>())
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
@@ -633,7 +635,7 @@ const char* vtkSphericalStyleFilter::GetAdvice()
 
 void vtkSphericalStyleFilter::ReleaseCache()
 {
-  this->Internal = std::make_unique<Internals>();
+  this->Internal = std::make_shared<Internals>();
 }
 
 const char* vtkSphericalStyleFilter::GetCenterPosition()
@@ -686,7 +688,8 @@ int vtkSphericalStyleFilter::Execute(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   SphericalStyle::StyleReport report;
-  this->Internal->SetFacts(this, report);
+  const std::shared_ptr<Internals> internal = this->Internal; // ReleaseCache may come meanwhile
+  internal->SetFacts(this, report);
   if (!IsSurface(this, inputVector[MODEL]))
   {
     return 0;
@@ -697,7 +700,7 @@ int vtkSphericalStyleFilter::Execute(
   }
 
   Internals::CheckProperties(this);
-  const vtkSurfaceMesh& surface = this->Internal->TakeSurface(this, inputs);
+  const vtkSurfaceMesh& surface = internal->TakeSurface(this, inputs);
   const std::vector<char> region = vtkSurfaceRegion::Marks(
     this, this->GetInputArrayInformation(REGION_MASK), inputs.Selection, inputs.Model, surface);
   Eigen::VectorXd regionWeights;
@@ -707,7 +710,7 @@ int vtkSphericalStyleFilter::Execute(
       surface.Mesh.P, region, this->BorderWidth, ThreadsToUse(this->NumberOfThreads));
   }
   Points Q;
-  report = this->Internal->Solve(
+  report = internal->Solve(
     this, surface, inputs, region, regionWeights,
     [this](int iteration, double)
     {
@@ -719,10 +722,10 @@ int vtkSphericalStyleFilter::Execute(
   output->ShallowCopy(inputs.Model);
   vtkSurfaceMeshConversion::ReplacePoints(
     output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);
-  this->Internal->AttachArrays(this, surface, regionWeights, inputs.Model, output);
-  this->Internal->Tell(this, surface, report, Q, history);
+  internal->AttachArrays(this, surface, regionWeights, inputs.Model, output);
+  internal->Tell(this, surface, report, Q, history);
   vtkTargetSphere::Fill(vtkPolyData::GetData(outputVector, 2), report.spheres);
-  this->Internal->Guarded = {};
+  internal->Guarded = {};
   return 1;
 }
 

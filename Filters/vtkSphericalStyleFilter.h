@@ -108,7 +108,7 @@
 #include "vtkTimeStamp.h"                // for vtkTimeStamp
 #include "vtkWholeSurfaceAlgorithm.h"
 
-#include <memory> // for std::unique_ptr
+#include <memory> // for std::shared_ptr
 #include <string> // for std::string
 
 class vtkPointSet;
@@ -624,7 +624,7 @@ public:
    * Frees what is kept to make the next execution quick: the factor, the base and the last result
    * of the solver, and the model as it solves it; about 0.7 kB a point without details, 2.5 kB with
    * them. Outputs stay. The next execution takes as long as the first, and does not start from the
-   * last result.
+   * last result. Called while an execution runs, it frees all this when that ends.
    */
   void ReleaseCache();
 
@@ -713,8 +713,8 @@ private:
   vtkTimeStamp AdviceTime;
   int EffectiveCenterMode = AREA_CENTROID; // of the last execution
 
-  struct Internals; // the solver, kept between executions
-  std::unique_ptr<Internals> Internal;
+  struct Internals;                    // the solver, kept between executions
+  std::shared_ptr<Internals> Internal; // an execution holds on to its own, see ReleaseCache
 };
 
 #endif

@@ -93,6 +93,7 @@ class Report
 public:
   explicit Report(vtkTable* table)
   {
+    table->Initialize(); // an observer of progress may have asked for an update, which filled it
     const auto add = [table](vtkAbstractArray* column, const char* name)
     {
       column->SetName(name);

@@ -118,6 +118,21 @@ bool SameSize(vtkPolyData* a, vtkPolyData* b)
     a->GetNumberOfCells() == b->GetNumberOfCells();
 }
 
+/// The data at all ports, for as long as an execution needs it: whoever watches its progress may
+/// take inputs away.
+std::vector<vtkSmartPointer<vtkDataObject>> Held(vtkInformationVector** inputs, int ports)
+{
+  std::vector<vtkSmartPointer<vtkDataObject>> held;
+  for (int p = 0; p < ports; ++p)
+  {
+    for (int k = 0; k < inputs[p]->GetNumberOfInformationObjects(); ++k)
+    {
+      held.emplace_back(vtkDataObject::GetData(inputs[p], k));
+    }
+  }
+  return held;
+}
+
 /// Input vectors with other data in them.
 class Inputs
 {
@@ -320,6 +335,7 @@ vtkWholeSurfaceAlgorithm::~vtkWholeSurfaceAlgorithm()
 int vtkWholeSurfaceAlgorithm::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const auto held = Held(inputVector, this->GetNumberOfInputPorts());
   if (!this->Internal->Gathers)
   {
     return this->RequestWholeData(request, inputVector, outputVector);
