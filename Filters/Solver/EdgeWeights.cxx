@@ -16,20 +16,21 @@ HalfEdgeScalars HalfEdgeCotangents(const Points& P, const Triangles& F)
   HalfEdgeScalars c(F.rows(), 3);
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
-    Eigen::Matrix3d e; // the half-edges
+    Eigen::Vector3d e[3]; // the half-edges
+    Eigen::Vector3d square;
     for (int k = 0; k < 3; ++k)
     {
-      e.col(k) = P.row(F(f, HalfEdgeStart(k))) - P.row(F(f, HalfEdgeEnd(k)));
+      e[k] = P.row(F(f, HalfEdgeEnd(k))) - P.row(F(f, HalfEdgeStart(k)));
+      square(k) = e[k].squaredNorm();
     }
     // One area for all three: of a sliver it has few digits, and three of them would be a form that
     // is not positive semidefinite by far. The two shorter edges have the most.
-    int longest = 0;
-    e.colwise().squaredNorm().maxCoeff(&longest);
-    const double area =
-      e.col(HalfEdgeStart(longest)).cross(e.col(HalfEdgeEnd(longest))).norm(); // twice
+    int longest = square(1) > square(0) ? 1 : 0;
+    longest = square(2) > square(longest) ? 2 : longest;
+    const double area = e[HalfEdgeStart(longest)].cross(e[HalfEdgeEnd(longest)]).norm(); // twice
     for (int k = 0; k < 3; ++k)
     {
-      c(f, k) = -0.5 * e.col(HalfEdgeStart(k)).dot(e.col(HalfEdgeEnd(k))) / area;
+      c(f, k) = -0.5 * e[HalfEdgeStart(k)].dot(e[HalfEdgeEnd(k)]) / area;
     }
   }
   return c;
