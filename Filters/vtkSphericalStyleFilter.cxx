@@ -452,7 +452,14 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
       std::to_string(surface.FirstInputPoint(report.pointsOnCenter.front())) +
       "; the mean of the neighbours' directions is taken");
   }
-  if (surface.Mesh.F.rows() > 0 && !report.loop.converged && !report.loop.aborted &&
+  if (!report.hasMinimum)
+  {
+    warn("the system matrix is not positive definite: with full-edge weights the energy of this "
+         "surface has no minimum, and iterations lead away from it without end; take EdgeWeighting "
+         "HalfEdge" +
+      std::string(self->ReproduceThesis ? " without ReproduceThesis" : ""));
+  }
+  else if (surface.Mesh.F.rows() > 0 && !report.loop.converged && !report.loop.aborted &&
     !report.loop.outOfTime)
   {
     warn(vtkStyleHistory::NotConverged(report));

@@ -375,7 +375,8 @@ public:
   /**
    * HalfEdge (default): every triangle brings its own cotangents; the energy is never negative and
    * never rises. FullEdge: Eq. 4.13 and 4.22 to the letter, kept for reproduction; on obtuse or
-   * open meshes its energy can rise and triangles turn over. IntrinsicDelaunay: as HalfEdge, but
+   * open meshes its energy can rise and triangles turn over, and where it has no minimum (the
+   * system matrix is not positive definite) a warning says so. IntrinsicDelaunay: as HalfEdge, but
    * over other triangles on the same points, the Delaunay triangles of the surface's own metric
    * (Fisher et al. 2007): no edge between two of them has a negative weight, so slivers and obtuse
    * triangles pull evenly. On a mesh without them it gives the bits of HalfEdge. Borders and edges

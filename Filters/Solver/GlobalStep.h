@@ -37,6 +37,8 @@ public:
 
   double GetAnalyzeSeconds() const { return this->AnalyzeSeconds; }
   double GetFactorSeconds() const { return this->FactorSeconds; }
+  /// Whether L is positive definite: or else the energy has no minimum.
+  bool IsDefinite() const { return this->System.IsDefinite(); }
   std::string GetSolverName() const { return this->System.GetName(); }
   int GetNumberOfLinearSteps() const { return this->System.GetNumberOfSteps(); }
 

@@ -111,6 +111,11 @@ void LinearSystem::Solve(const RightHandSides& B, RightHandSides& X, int threads
   }
 }
 
+bool LinearSystem::IsDefinite() const
+{
+  return this->Used == LinearMethod::ConjugateGradients || this->Cholesky.IsDefinite();
+}
+
 std::string LinearSystem::GetName() const
 {
   return this->Used == LinearMethod::ConjugateGradients ? "conjugate gradients, incomplete Cholesky"

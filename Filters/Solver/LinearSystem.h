@@ -35,8 +35,8 @@ public:
 
   explicit LinearSystem(LinearMethod method = LinearMethod::Automatic);
 
-  /// Of what is left of the gain of a solve by conjugate gradients; see there. Default 0.1, which
-  /// is for loops.
+  /// Of what is left of the gain of a solve by conjugate gradients; see there. Default 0.01,
+  /// which is for loops.
   void SetShareLeft(double share) { this->ShareLeft = share; }
   /// Bytes that a factor may take with Automatic. Default: half of the machine's memory.
   void SetLargestFactor(double bytes) { this->LargestFactor = bytes; }
@@ -49,6 +49,8 @@ public:
   /// @throw SolverError if it is not finite
   void Solve(const RightHandSides& B, RightHandSides& X, int threads = 1);
 
+  /// Whether the matrix of Factor is positive definite, as far as that has been found.
+  bool IsDefinite() const;
   /// What solves, for people.
   std::string GetName() const;
   /// Steps of conjugate gradients since Factor.

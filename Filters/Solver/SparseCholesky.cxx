@@ -24,6 +24,7 @@ public:
   virtual void Factor(const Matrix& A, Precision precision, int threads) = 0;
   virtual Precision GetPrecision() const { return Precision::Double; }
   virtual double GetError() const { return 0.0; }
+  virtual bool IsDefinite() const = 0;
   virtual void Solve(RightHandSides& B, int threads) const = 0;
 };
 
@@ -41,6 +42,7 @@ public:
       throw SolverError("the system matrix is singular: it cannot be factored");
     }
   }
+  bool IsDefinite() const override { return (this->Ldlt.vectorD().array() > 0.0).all(); }
   void Solve(RightHandSides& B, int) const override { B = this->Ldlt.solve(B).eval(); }
 
 private:
@@ -141,6 +143,7 @@ public:
   }
   Precision GetPrecision() const override { return this->Used; }
   double GetError() const override { return this->Error; }
+  bool IsDefinite() const override { return !this->Indefinite || this->Indefinite->IsDefinite(); }
 
 private:
   /// In single precision if that will do. False if A is not positive definite.
@@ -225,6 +228,11 @@ SparseCholesky::Precision SparseCholesky::GetPrecision() const
 double SparseCholesky::GetError() const
 {
   return this->Impl->GetError();
+}
+
+bool SparseCholesky::IsDefinite() const
+{
+  return this->Impl->IsDefinite();
 }
 
 void SparseCholesky::Solve(RightHandSides& B, int threads) const

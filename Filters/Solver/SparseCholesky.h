@@ -56,6 +56,8 @@ public:
   /// With single precision: error of the solution for a right-hand side without any order, in the
   /// norm of A, relative; 0 with double precision.
   double GetError() const;
+  /// Whether the matrix of Factor is positive definite.
+  bool IsDefinite() const;
   /// Replaces B (n x 3) by A^-1 B. @throw SolverError if the result is not finite
   void Solve(RightHandSides& B, int threads = 1) const;
 

@@ -520,6 +520,7 @@ void StyleSolver::State::FactorGlobal(const EdgeWeights& w, int threads, StyleRe
   report.seconds.analyze = this->Global.GetAnalyzeSeconds();
   report.seconds.factor = this->Global.GetFactorSeconds();
   report.linearSolver = this->Global.GetSolverName();
+  report.hasMinimum = this->Global.IsDefinite();
 }
 
 /// Rest points with the fixed ones at their positions, every rotation the identity.

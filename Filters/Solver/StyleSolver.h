@@ -104,6 +104,7 @@ struct StyleReport
   int stitches = 0;                ///< edges between parts [stitch]
   int wallStitches = 0;            ///< edges through thin walls [wall]
   bool factored = false;           ///< whether this solve had to factor
+  bool hasMinimum = true;          ///< false only with full-edge weights: E is unbounded below
   std::string linearSolver = "none";
   StageSeconds seconds;
 };

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Every way to ask for what cannot be done: one error that names the cause, an empty output, and
 /// a filter that works again once the cause is gone. Then the bound on iterations, and abort.
-#include "FilterTesting.h"
+#include "ArrayTesting.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <cmath>
 #include <limits>
 
 using namespace FilterTesting;
@@ -488,6 +489,60 @@ void TooFewIterations(Checker& check)
   check(filter->GetConverged(), "the stop rule is met");
 }
 
+/// An open sheet of obtuse triangles, as CAD gives them.
+Surface MakeSkewSheet(int side)
+{
+  std::vector<Vector> points;
+  std::vector<std::vector<vtkIdType>> faces;
+  for (int i = 0; i < side * side; ++i)
+  {
+    const double x = i % side;
+    const double y = i / side;
+    points.push_back({ x + 1.6 * y, y, 0.1 * std::sin(x) });
+    if (x + 1 < side && y + 1 < side)
+    {
+      faces.push_back({ i, i + 1, i + side + 1 });
+      faces.push_back({ i, i + side + 1, i + side });
+    }
+  }
+  return MakeSurface(points, faces);
+}
+
+void NoMinimum(Checker& check)
+{
+  const Surface sheet = MakeSkewSheet(8);
+  for (const bool thesis : { false, true })
+  {
+    check.About(thesis ? "no minimum, thesis" : "no minimum");
+    WatchedFilter filter(sheet);
+    filter->SetRoundness(0.01);
+    filter->SetEdgeWeightingToFullEdge();
+    filter->SetSphericalWeightingToUniform();
+    filter->SetReproduceThesis(thesis);
+    filter->SetMaximumNumberOfIterations(5);
+    vtkPolyData* output = filter.Output();
+    check(filter.Errors.empty() && AllFinite(output->GetPoints()->GetData()),
+      "it should be no error" + Joined(filter.Errors));
+    check(filter.Warnings.size() == 1 && Contains(filter.Warnings[0], "not positive definite") &&
+        Contains(filter.Warnings[0], "EdgeWeighting HalfEdge") &&
+        Contains(filter.Warnings[0], "without ReproduceThesis") == thesis,
+      "one warning should say so" + Joined(filter.Warnings));
+
+    filter.Warnings.clear();
+    filter->SetRoundness(5.0);
+    filter->SetMaximumNumberOfIterations(10000);
+    filter.Output();
+    check(filter.Warnings.empty(),
+      "with uniform weights this large there is one, without a word" + Joined(filter.Warnings));
+    filter.Warnings.clear();
+    filter->SetRoundness(0.01);
+    filter->SetReproduceThesis(false);
+    filter->SetEdgeWeightingToHalfEdge();
+    filter.Output();
+    check(filter.Warnings.empty(), "nor a word with half-edge weights" + Joined(filter.Warnings));
+  }
+}
+
 struct AbortAt
 {
   double progress;
@@ -574,6 +629,7 @@ int TestSphericalStyleFilterErrors(int argc, char* argv[])
   WrongValues(check);
   UnusedNormals(check);
   TooFewIterations(check);
+  NoMinimum(check);
   for (const double progress : { 0.0, 0.1, 0.5 })
   {
     Abort(check, creature, progress);
