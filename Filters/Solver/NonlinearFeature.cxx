@@ -353,8 +353,13 @@ void NonlinearFeature::SetMesh(const TriangleMesh& mesh)
   {
     return;
   }
-  auto next = change == MeshChange::Points ? std::move(this->S) : std::make_unique<State>();
-  this->S = std::make_unique<State>(); // empty, should a line below throw
+  auto next = std::make_unique<State>();
+  next.swap(this->S); // which is empty now, should a line below throw
+  if (change == MeshChange::Triangles)
+  {
+    next.reset(); // its memory is needed
+    next = std::make_unique<State>();
+  }
   next->Set(mesh, change);
   if (change == MeshChange::Triangles)
   {

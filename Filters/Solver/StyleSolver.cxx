@@ -102,6 +102,7 @@ bool StartsFromBlend(const StyleOptions& o)
 class StyleSolver::State : public SolverMesh
 {
 public:
+  bool IsWhole = true; // not while a solve is under way, nor after one that has thrown
   // Depends on the mesh.
   Eigen::VectorXd Areas; // of the points
   // Depends on what shapes the energy's triangles too.
@@ -143,6 +144,7 @@ public:
   }
   const Triangles& SummedTriangles() const { return this->Summed().Topology.GetTriangles(); }
 
+  void Forget();
   void UpdateTriangles(const EnergyTriangleOptions& options);
   void UpdateBase(const StyleOptions& options);
   void UpdateShares(const StyleOptions& options);
@@ -183,8 +185,13 @@ void StyleSolver::SetMesh(const TriangleMesh& mesh)
     return;
   }
   ++this->MeshGeneration;
-  auto next = change == MeshChange::Points ? std::move(this->S) : std::make_unique<State>();
-  this->S = std::make_unique<State>(); // empty, should a line below throw
+  auto next = std::make_unique<State>();
+  next.swap(this->S); // which is empty now, should a line below throw
+  if (change == MeshChange::Triangles)
+  {
+    next.reset(); // its memory is needed
+    next = std::make_unique<State>();
+  }
   next->Set(mesh, change);
   next->HasTriangles = false;
   next->HasResult = false;
@@ -206,6 +213,15 @@ EnergyTriangleOptions ShapeOf(const StyleOptions& options, const MeshTopology& s
   shape.threads = options.threads;
   return shape;
 }
+}
+
+/// Keeps what depends on the mesh alone.
+void StyleSolver::State::Forget()
+{
+  this->HasTriangles = false; // and with them all but what follows
+  this->HasGlobal = false;
+  this->Reshaped = {};
+  this->Cells = {};
 }
 
 void StyleSolver::State::UpdateTriangles(const EnergyTriangleOptions& options)
@@ -622,6 +638,10 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   State& s = *this->S;
   Require(s.P.rows() > 0, "there is no mesh: SetMesh was not called or has thrown");
   CheckOptions(options, static_cast<int>(s.P.rows()));
+  if (!std::exchange(s.IsWhole, false))
+  {
+    s.Forget();
+  }
   StyleReport report;
   const Stopwatch whole;
   s.BuildEnergy(options, s.Prepare(options, report), report);
@@ -673,6 +693,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
   s.KeepEnergies(report.loop, ofBlend);
   s.ToModelUnits(options, report);
   s.HasResult = !report.closedForm && !options.localTerm;
+  s.IsWhole = true;
   return report;
 }
 
