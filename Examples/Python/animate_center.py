@@ -12,6 +12,7 @@ model's extent.
 """
 import argparse
 import math
+import os
 import pathlib
 import sys
 
@@ -86,6 +87,11 @@ class Movie:
     def end(self):
         self.writer.End()
         self.messages.raise_errors(f"{self.path}: cannot be written")
+        with open(self.path, "r+b") as file:  # VTK does not say that a disk is full
+            size = file.seek(0, os.SEEK_END)
+            file.write(bytes(4096))
+            file.flush()
+            file.truncate(size)
 
 
 def centers(bounds, axis, travel, frames):

@@ -47,11 +47,16 @@ def place_in(folder, name):
 
 @contextlib.contextmanager
 def whole(place):
-    """A path to write to; what was written has its name when it is whole. Links are replaced, not followed."""
+    """A path to write to; what was written has its name when it is whole, and is gone when it is not. Links are
+    replaced, not followed."""
     part = place.with_name(place.name + ".part")
     part.unlink(missing_ok=True)
-    yield part
-    part.replace(place)
+    try:
+        yield part
+        part.replace(place)
+    except BaseException:
+        part.unlink(missing_ok=True)
+        raise
 
 
 class Messages:
@@ -128,6 +133,9 @@ def rounded(surface, **properties):
     style.SetInputData(surface)
     for name, value in properties.items():
         getattr(style, "Set" + name)(value)
+        taken = getattr(style, "Get" + name)()
+        if value > taken or value < taken:  # NaN is the filter's to refuse
+            raise ModelError(f"{name} cannot be {value:g}; the nearest that can be is {taken:g}")
     style.Update()
     messages.raise_errors("The filter failed:")
     if style.GetOutput().GetNumberOfPoints() != surface.GetNumberOfPoints():

@@ -1,11 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the examples for pvpython share: arguments, the plugin, and a picture of surfaces in a row."""
+"""What the examples for pvpython share: arguments, the plugin, the model, and a picture of surfaces in a row."""
 import argparse
 import os
 import sys
 
 from paraview.simple import *
+from vtkmodules.vtkCommonCore import vtkOutputWindow
+
+errors = []  # one for each that was printed: ParaView's writers do not return that they failed
+vtkOutputWindow.GetInstance().AddObserver("ErrorEvent", lambda *_: errors.append(True))
 
 
 def parse(parser):
@@ -28,9 +32,38 @@ def parser_for(description, output):
 def load_plugin(path, filter_name, namespace):
     """Into the namespace (globals()) of the example; ends it if there is no such filter afterwards."""
     if path:
-        LoadPlugin(path, remote=False, ns=namespace)
+        try:
+            LoadPlugin(path, remote=False, ns=namespace)
+        except RuntimeError as error:
+            sys.exit(str(error))
     if filter_name not in namespace:
         sys.exit(f"ParaView has no {filter_name}: install the plugin, use --plugin or set PV_PLUGIN_PATH.")
+
+
+def open_model(path):
+    """The reader that has read the file; ends the example if there is nothing in it."""
+    try:
+        model = OpenDataFile(path)
+    except RuntimeError as error:
+        sys.exit(str(error))
+    model.UpdatePipeline()
+    if model.GetDataInformation().GetNumberOfPoints() == 0:
+        sys.exit(f"{path}: no points could be read")
+    return model
+
+
+def save_result(path, filter_):
+    """Its surface; ends the example if there is none."""
+    filter_.UpdatePipeline()
+    if filter_.GetDataInformation().GetNumberOfPoints() == 0:
+        sys.exit("The filter gave no result and has said why.")
+    SaveData(path, proxy=filter_)
+
+
+def end():
+    """Ends the example with a failure if there were errors."""
+    if errors:
+        sys.exit("Not everything could be done: see the errors above.")
 
 
 def save_row(file, surfaces, spacing, size, zoom):

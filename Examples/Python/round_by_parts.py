@@ -14,7 +14,7 @@ import sys
 
 from paraview.simple import *
 
-from paraview_examples import load_plugin, parse, parser_for, save_row
+from paraview_examples import end, load_plugin, open_model, parse, parser_for, save_result, save_row
 
 
 def part_numbers(surface, name):
@@ -41,15 +41,15 @@ parser.add_argument("--roundness", type=float, default=5.0)
 arguments = parse(parser)
 load_plugin(arguments.plugin, "SphericalStyle", globals())
 
-model = OpenDataFile(arguments.model)
-model.UpdatePipeline()
+model = open_model(arguments.model)
 numbers = part_numbers(model, arguments.array)
 whole = SphericalStyle(Input=model, Roundness=arguments.roundness)
 at_once = SphericalStyle(Input=model, Roundness=arguments.roundness,
                          CenterIdArray=["POINTS", arguments.array])
 in_turn = one_by_one(model, arguments.array, numbers)
-SaveData(f"{arguments.output}-at-once.vtp", proxy=at_once)
-SaveData(f"{arguments.output}-one-by-one.vtp", proxy=in_turn)
+save_result(f"{arguments.output}-at-once.vtp", at_once)
+save_result(f"{arguments.output}-one-by-one.vtp", in_turn)
 print(f"{len(numbers)} parts")
 
 save_row(f"{arguments.output}.png", (model, whole, at_once, in_turn), 1.2, [1100, 400], 1.6)
+end()

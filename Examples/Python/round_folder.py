@@ -114,7 +114,7 @@ def share_of(models, folder, mpi):
 
 def print_table(lines):
     rows = [COLUMNS] + [[printable(line.get(column, "")) for column in COLUMNS[:-1]]
-                        + [line["result"].splitlines()[0]] for line in lines]
+                        + [" ".join(line["result"].split())] for line in lines]
     widths = [max(len(row[k]) for row in rows) for k in range(len(COLUMNS) - 1)]
     for row in rows:
         cells = [row[0].ljust(widths[0])] + [cell.rjust(w) for cell, w in zip(row[1:-1], widths[1:])]
@@ -157,6 +157,9 @@ def main():
 
 if __name__ == "__main__":
     # A process of MPI that ends well has to go back to pvbatch, which says farewell to the others.
-    code = main()
+    try:
+        code = main()
+    except OSError as error:  # of the folder or the table: those of models are in their lines
+        sys.exit(printable(error))
     if code:
         sys.exit(code)

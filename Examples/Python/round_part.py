@@ -11,7 +11,7 @@ plugin by itself: installed, or by the environment variable PV_PLUGIN_PATH.
 """
 from paraview.simple import *
 
-from paraview_examples import load_plugin, parse, parser_for, save_row
+from paraview_examples import end, load_plugin, open_model, parse, parser_for, save_result, save_row
 
 parser = parser_for("Round the upper part of a model.", "part")
 parser.add_argument("--above", type=float, default=0.5)
@@ -21,8 +21,7 @@ parser.add_argument("--offset", action="store_true")
 arguments = parse(parser)
 load_plugin(arguments.plugin, "ConvexProxyDeform", globals())
 
-model = OpenDataFile(arguments.model)
-model.UpdatePipeline()
+model = open_model(arguments.model)
 bounds = model.GetDataInformation().GetBounds()
 axis = "xyz".index(arguments.axis)
 low, high = bounds[2 * axis:2 * axis + 2]
@@ -33,9 +32,10 @@ region = Calculator(Input=model, ResultArrayName="Region",
                     Function=f"coords{arguments.axis.upper()} > {limit!r}")
 deform = ConvexProxyDeform(Input=region, RegionArray=["POINTS", "Region"], Blend=arguments.blend,
                            Transfer="Offset" if arguments.offset else "Blend")
-SaveData(f"{arguments.output}.vtp", proxy=deform)
+save_result(f"{arguments.output}.vtp", deform)
 deform.UpdatePipelineInformation()
 print(f"{deform.GetPropertyValue('EffectiveNumberOfProxyPoints')} proxy points,"
       f" {deform.GetPropertyValue('TrianglesTurnedOver')} triangles turned over")
 
 save_row(f"{arguments.output}.png", (model, deform), 1.1, [800, 500], 1.4)
+end()

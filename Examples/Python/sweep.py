@@ -27,7 +27,10 @@ def parse():
     parser.add_argument("--up", choices="xyz", default="y", help="axis of the model that points up")
     parser.add_argument("--view", type=float, default=25.0,
                         help="where the camera stands, degrees around that axis from the front")
-    return parser.parse_args()
+    arguments = parser.parse_args()
+    if arguments.output.suffix != ".png":  # what else has that name would be lost
+        parser.error("--output: the sheet is a picture, its name ends in .png")
+    return arguments
 
 
 def main():

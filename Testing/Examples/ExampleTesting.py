@@ -4,6 +4,7 @@
 example (python3 or pvpython), the folder of the examples, the models, and a folder to write to."""
 import os
 import pathlib
+import resource
 import shutil
 import subprocess
 import sys
@@ -20,10 +21,22 @@ shutil.rmtree(output, ignore_errors=True)
 output.mkdir(parents=True)
 
 
-def run(script, *arguments):
-    """The finished process, with what it printed."""
+def run(script, *arguments, largest_file=resource.RLIM_INFINITY):
+    """The finished process, with what it printed. largest_file: bytes that a file may get, as on a full disk."""
     return subprocess.run([python, examples / script, *map(str, arguments)], check=False, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, preexec_fn=lambda: resource.setrlimit(
+                              resource.RLIMIT_FSIZE, (largest_file, resource.RLIM_INFINITY)))
+
+
+may_limit_files = "pvpython" not in python  # MPI, which that starts, needs large ones
+
+
+def run_badly(script, *arguments, **options):
+    """What it printed; it has to fail with words of its own."""
+    done = run(script, *arguments, **options)
+    assert done.returncode in (1, 2), (done.returncode, done.stdout)
+    assert "Traceback" not in done.stdout, done.stdout
+    return done.stdout
 
 
 def run_well(script, *arguments):

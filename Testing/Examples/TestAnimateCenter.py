@@ -6,7 +6,7 @@ import struct
 
 import numpy as np
 
-from ExampleTesting import data, output, pixels, run, run_well
+from ExampleTesting import data, may_limit_files, output, pixels, run, run_badly, run_well
 
 FRAMES, LABEL = 6, 70
 model = data / "creature.vtp"
@@ -40,3 +40,7 @@ assert (granule >> 6) + (granule & 63) == FRAMES, granule
 done = run("animate_center.py", model, output / "movie.xyz")
 assert done.returncode == 2 and ".ogv" in done.stdout, done.stdout
 assert not (output / "movie.xyz").exists()
+
+if may_limit_files:  # a full disk
+    assert "too large" in run_badly("animate_center.py", model, output / "full.ogv", "--frames", FRAMES,
+                                    largest_file=len(movie) // 2)

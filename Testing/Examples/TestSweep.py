@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """The sheet has a panel for each pair of values, and the panels show what the values do."""
+import shutil
+
 import numpy as np
 
-from ExampleTesting import data, output, pixels, run, run_well
+from ExampleTesting import data, output, pixels, run, run_badly, run_well
 
 WIDTH, HEIGHT, LABEL = 320, 300, 40  # of a panel, and of the label at its foot
 
@@ -40,3 +42,10 @@ done = run("sweep.py", output / "nowhere.ply")
 assert done.returncode == 1 and "no such file" in done.stdout, done.stdout
 done = run("sweep.py", data / "cube.vtp", "--roundness", 1, "--output", output / "no" / "folder.png")
 assert done.returncode == 1 and "cannot be written" in done.stdout, done.stdout
+
+# Nothing but a picture is replaced, and no label says what was not done.
+model = output / "model.vtp"
+shutil.copy(data / "cube.vtp", model)
+assert ".png" in run_badly("sweep.py", model, "--output", model)
+assert model.read_bytes() == (data / "cube.vtp").read_bytes()
+assert "NormalBlend cannot be 3" in run_badly("sweep.py", model, "--normal-blend", 3, "--output", output / "much.png")
