@@ -129,6 +129,14 @@ CenterIds FindCenterIds(vtkInformation* wanted, const vtkSurfaceMesh& surface, v
   return ids;
 }
 
+/// Says whose part it is, in the user's words. @param ids  of the centers, none for a region
+[[noreturn]] void Refuse(const SphericalStyle::PartWithoutSphere& error, const CenterIds& ids)
+{
+  throw std::invalid_argument(ids.Values.empty()
+      ? "Region: " + error.Why + "; SphereOf WholeModel takes that of the whole model"
+      : "Center id " + std::to_string(ids.Values[error.Part]) + ": " + error.Why);
+}
+
 /// One row per id, of the point set's points. @throw std::invalid_argument naming the missing one
 Points FindCenters(const CenterIds& ids, vtkPointSet* given)
 {
@@ -420,14 +428,21 @@ SphericalStyle::StyleReport vtkSphericalStyleFilter::Internals::Solve(vtkSpheric
     return run(this->Nonlinear, MakeNonlinearOptions(self, surface, inputs, region));
   }
   this->Options = MakeOptions(self, surface, inputs, region);
-  if (!IsGuarded(self) || mesh.F.rows() == 0)
+  try
   {
-    return run(this->Solver, this->Options);
+    if (!IsGuarded(self) || mesh.F.rows() == 0)
+    {
+      return run(this->Solver, this->Options);
+    }
+    const int type =
+      vtkSurfaceMeshConversion::OutputPointType(inputs.Model, self->OutputPointsPrecision);
+    this->Guarded =
+      vtkFoldGuard::Solve(this->Solver, this->Options, mesh, type == VTK_FLOAT, finish, callback);
   }
-  const int type =
-    vtkSurfaceMeshConversion::OutputPointType(inputs.Model, self->OutputPointsPrecision);
-  this->Guarded =
-    vtkFoldGuard::Solve(this->Solver, this->Options, mesh, type == VTK_FLOAT, finish, callback);
+  catch (const SphericalStyle::PartWithoutSphere& error)
+  {
+    Refuse(error, FindCenterIds(self->GetInputArrayInformation(CENTER_ID), surface, inputs.Model));
+  }
   Q = this->Guarded.Positions;
   return this->Guarded.Style;
 }

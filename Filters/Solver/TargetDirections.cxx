@@ -101,14 +101,14 @@ std::vector<Sphere> TargetSpheres(const Points& P, const Triangles& F,
       const bool needsSurface = center == CenterMode::AreaCentroid || radius != RadiusMode::Custom;
       if (needsSurface && triangles.empty())
       {
-        throw std::invalid_argument("there is no triangle in it");
+        throw std::invalid_argument("there is no triangle in it to take the sphere from");
       }
       spheres.push_back(TargetSphere(corners, soup,
         center == CenterMode::PointMean ? CenterMode::Custom : center, radius, given));
     }
     catch (const std::invalid_argument& error)
     {
-      throw std::invalid_argument("part " + std::to_string(part) + ": " + error.what());
+      throw PartWithoutSphere(part, error.what());
     }
   }
   return spheres;

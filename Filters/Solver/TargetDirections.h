@@ -42,10 +42,25 @@ struct Sphere
 Sphere TargetSphere(
   const Points& P, const Triangles& F, CenterMode center, RadiusMode radius, const Sphere& custom);
 
+/// A part of a surface that has no target sphere.
+class PartWithoutSphere : public std::invalid_argument
+{
+public:
+  PartWithoutSphere(int part, const std::string& why)
+    : std::invalid_argument("part " + std::to_string(part) + ": " + why)
+    , Part(part)
+    , Why(why)
+  {
+  }
+
+  int Part;
+  std::string Why; ///< without the part
+};
+
 /// The same for each part of a surface by itself: its points, and the triangles that have two or
 /// three corners in it (of three parts at one triangle, the part of its first corner takes it).
 /// @param parts  n, 0..numberOfParts-1, or -1 for points of no part
-/// @throw std::invalid_argument as TargetSphere, naming the part, also when it has no point
+/// @throw PartWithoutSphere where TargetSphere throws, and for one without a point or triangle
 std::vector<Sphere> TargetSpheres(const Points& P, const Triangles& F,
   const std::vector<int>& parts, int numberOfParts, CenterMode center, RadiusMode radius,
   const Sphere& custom);

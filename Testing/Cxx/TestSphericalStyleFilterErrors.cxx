@@ -375,6 +375,32 @@ void WrongArrays(Checker& check)
   }
 }
 
+/// A sphere is the size of triangles; one point has none.
+void PartsWithoutSphere(Checker& check)
+{
+  const auto without = [](vtkSphericalStyleFilter* filter, vtkPolyData* input)
+  {
+    filter->SetSelectionData(nullptr);
+    filter->SetInputArrayToProcess(5, 0, 0, OfPoints, "");
+    input->GetPointData()->Initialize();
+  };
+  ExpectError(
+    check, "a region of one point", { "Region", "no triangle", "SphereOf WholeModel" },
+    [](vtkSphericalStyleFilter* filter, vtkPolyData*)
+    { filter->SetSelectionData(MakeSelection({ 5 }, vtkSelectionNode::POINT)); },
+    without);
+  ExpectError(
+    check, "a center id of one point", { "Center id 9", "no triangle" },
+    [](vtkSphericalStyleFilter* filter, vtkPolyData* input)
+    {
+      const auto ids = MakeArray("mine", input->GetNumberOfPoints(), 1, 7.0);
+      ids->SetComponent(5, 0, 9.0);
+      input->GetPointData()->AddArray(ids);
+      filter->SetInputArrayToProcess(5, 0, 0, OfPoints, "mine");
+    },
+    without);
+}
+
 /// VTK looks at them when they are set, and not when they are changed afterwards.
 void WrongComponents(Checker& check)
 {
@@ -626,6 +652,7 @@ int TestSphericalStyleFilterErrors(int argc, char* argv[])
   NoVolume(check);
   WrongArrays(check);
   WrongComponents(check);
+  PartsWithoutSphere(check);
   WrongValues(check);
   UnusedNormals(check);
   TooFewIterations(check);
