@@ -7,6 +7,7 @@ import os
 import platform
 import statistics
 import subprocess
+import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROGRAMS = os.path.join(HERE, "..", "build", "Benchmarks")
@@ -25,6 +26,8 @@ def run(command, threads, timeout=3600.0):
                               timeout=timeout, check=False)
     except subprocess.TimeoutExpired:
         return {"error": f"took more than {timeout:g} s"}
+    except FileNotFoundError:
+        sys.exit(f"{command[0]}: no such program; build with -DSPHERICALSTYLE_BUILD_BENCHMARKS=ON, see README.md")
     if done.returncode != 0:
         told = done.stderr.strip().splitlines()
         return {"error": told[0] if told else f"ended with {done.returncode}"}

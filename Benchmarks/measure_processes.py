@@ -13,6 +13,7 @@ so far, in MB, after each of the first two.
 import argparse
 import pathlib
 import resource
+import sys
 import time
 
 import numpy as np
@@ -27,6 +28,8 @@ from sphericalstyle import vtkSphericalStyleFilter
 
 CREATURE = pathlib.Path(__file__).parent.parent / "Data" / "creature.vtp"
 controller = vtkMultiProcessController.GetGlobalController()
+if controller is None:
+    sys.exit("This script measures processes of MPI: see how to start it at its head.")
 RANK, RANKS = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
 
 

@@ -12,12 +12,13 @@ import argparse
 import glob
 import os
 import statistics
+import sys
 import time
 
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-from sphericalstyle import vtkConvexProxyDeformFilter, vtkSphericalStyleFilter
+import sphericalstyle
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data")
 
@@ -26,18 +27,22 @@ def read(path):
     reader = vtkPLYReader() if path.endswith(".ply") else vtkXMLPolyDataReader()
     reader.SetFileName(path)
     reader.Update()
+    if reader.GetOutput().GetNumberOfPoints() == 0:
+        sys.exit(f"{path}: no points could be read")
     return reader.GetOutput()
 
 
 def milliseconds(f):
     begin = time.perf_counter()
     f.Update()
+    if f.GetOutput().GetNumberOfPoints() == 0:
+        sys.exit("The filter gave no result and has said why.")
     return 1e3 * (time.perf_counter() - begin)
 
 
 def one_run(surface, detail_size, last_result):
     """First, moved centre, changed Roundness, then the stages of the first."""
-    f = vtkSphericalStyleFilter()
+    f = sphericalstyle.vtkSphericalStyleFilter()
     f.SetInputData(surface)
     f.SetDetailSize(detail_size)
     if last_result:
@@ -55,7 +60,7 @@ def one_run(surface, detail_size, last_result):
 
 def one_proxy_run(surface):
     """First, another t, then the stages of the first."""
-    f = vtkConvexProxyDeformFilter()
+    f = sphericalstyle.vtkConvexProxyDeformFilter()  # of builds with CGAL
     f.SetInputData(surface)
     first = milliseconds(f)
     stages = f.GetOutput(1).GetFieldData().GetArray("StageSeconds")
@@ -71,6 +76,8 @@ parser.add_argument("--last-result", action="store_true")
 parser.add_argument("--proxy", action="store_true")
 parser.add_argument("meshes", nargs="*")
 arguments = parser.parse_args()
+if arguments.runs < 1:
+    parser.error("--runs: at least 1")
 heads = ["first", "centre", "lambda", "base", "weights", "analyze", "factor", "iterate", "triangles", "iterations"]
 if arguments.proxy:
     heads = ["first", "other t", "proxy", "round", "project", "transfer", "proxy points"]

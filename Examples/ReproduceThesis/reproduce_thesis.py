@@ -94,7 +94,10 @@ def main():
     for chapter in CHAPTERS:
         if (HERE / f"{chapter}.py").is_file():
             importlib.import_module(chapter)
-    arguments.output.mkdir(parents=True, exist_ok=True)
+    try:
+        arguments.output.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        sys.exit(str(error))
     context = Context(arguments.size, arguments.models)
     start = time.perf_counter()
     sections = []

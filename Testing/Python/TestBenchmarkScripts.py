@@ -5,6 +5,8 @@
 usage: TestBenchmarkScripts.py BENCHMARKS_FOLDER
 """
 import math
+import os
+import subprocess
 import sys
 import unittest
 
@@ -126,6 +128,29 @@ class Goals(unittest.TestCase):
         table = report_goals.stage_table(stages)
         self.assertIn("| Solve | 4 | 10 | 25 % | - | 2 of 1.6: reached | yes |", table)
         self.assertIn("| Energy | 4 | 10 | 25 % | - | 1 of 1.6: missed | no |", table)
+
+
+class Faults(unittest.TestCase):
+    """What cannot be measured is said in a sentence."""
+
+    def check(self, words, script, *arguments):
+        done = subprocess.run([sys.executable, os.path.join(support.HERE, script), *arguments], check=False, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.assertIn(done.returncode, (1, 2), done.stdout)
+        self.assertIn(words, done.stdout.splitlines()[-1])
+        self.assertNotIn("Traceback", done.stdout)
+
+    def test_a_mesh_that_is_not_there(self):
+        self.check("nowhere.ply: no points", "measure_stages.py", "nowhere.ply")
+
+    def test_no_runs(self):
+        self.check("at least 1", "measure_stages.py", "--runs", "0")
+
+    def test_programs_that_are_not_built(self):
+        self.check("no such program", "compare_peers.py", "--programs", "nowhere", "--sizes", "100")
+
+    def test_no_processes(self):
+        self.check("processes of MPI", "measure_processes.py")
 
 
 if __name__ == "__main__":
