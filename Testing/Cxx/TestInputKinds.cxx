@@ -232,6 +232,26 @@ vtkSmartPointer<vtkDataArray> BadArray(const char* name, vtkIdType tuples, int c
   return array;
 }
 
+/// As a surface has them that was cut for several processes, and then read by one: of each bit.
+void MarkGhosts(vtkPolyData* surface)
+{
+  for (vtkDataSetAttributes* attributes :
+    { static_cast<vtkDataSetAttributes*>(surface->GetPointData()),
+      static_cast<vtkDataSetAttributes*>(surface->GetCellData()) })
+  {
+    const bool ofPoints = attributes == surface->GetPointData();
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    ghosts->SetNumberOfTuples(
+      ofPoints ? surface->GetNumberOfPoints() : surface->GetNumberOfCells());
+    for (vtkIdType i = 0; i < ghosts->GetNumberOfTuples(); ++i)
+    {
+      ghosts->SetValue(i, static_cast<unsigned char>(i % 9 == 0 ? 0 : 1 << (i % 8)));
+    }
+    attributes->AddArray(ghosts);
+  }
+}
+
 void Append(std::vector<Kind>& all, const std::vector<Kind>& more)
 {
   all.insert(all.end(), more.begin(), more.end());
@@ -371,6 +391,7 @@ std::vector<Kind> Broken()
           }
         }),
       {}, {} },
+    { "ghost points and cells", With(MarkGhosts), {}, {} },
     { "arrays without a name",
       With([n](vtkPolyData* s)
         { s->GetPointData()->AddArray(MakeAny<vtkDoubleArray>(nullptr, n, 1)); }),
