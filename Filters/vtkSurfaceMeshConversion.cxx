@@ -788,6 +788,11 @@ vtkDataArray* FindPointArray(
   if (!name && wanted->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
   {
     attribute = wanted->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+    if (attribute < 0 || attribute >= vtkDataSetAttributes::NUM_ATTRIBUTES) // VTK does not look
+    {
+      throw std::invalid_argument(
+        std::string(purpose) + ": there is no attribute type " + std::to_string(attribute));
+    }
   }
   return attribute >= 0 ? arrays->GetAttribute(attribute) : nullptr;
 }

@@ -375,6 +375,31 @@ void WrongArrays(Checker& check)
   }
 }
 
+void WrongAttributes(Checker& check)
+{
+  for (const ArrayOf& a : AllArrays)
+  {
+    for (const int attribute :
+      { -1, static_cast<int>(vtkDataSetAttributes::NUM_ATTRIBUTES), 99999 })
+    {
+      const auto ask = [&](vtkSphericalStyleFilter* filter, int blend, const char* name)
+      {
+        filter->SetNormalBlend(blend);
+        filter->SetInputArrayToProcess(a.index, 0, 0, OfPoints, name);
+      };
+      ExpectError(
+        check, std::string("attribute of ") + a.property + " " + Text(attribute),
+        { a.property, "attribute type " + Text(attribute) },
+        [&](vtkSphericalStyleFilter* filter, vtkPolyData*)
+        {
+          ask(filter, a.index == Normals ? 1 : 0, "");
+          filter->SetInputArrayToProcess(a.index, 0, 0, OfPoints, attribute);
+        },
+        [&](vtkSphericalStyleFilter* filter, vtkPolyData*) { ask(filter, 0, ""); });
+    }
+  }
+}
+
 /// A sphere is the size of triangles; one point has none.
 void PartsWithoutSphere(Checker& check)
 {
@@ -652,6 +677,7 @@ int TestSphericalStyleFilterErrors(int argc, char* argv[])
   NoVolume(check);
   WrongArrays(check);
   WrongComponents(check);
+  WrongAttributes(check);
   PartsWithoutSphere(check);
   WrongValues(check);
   UnusedNormals(check);
