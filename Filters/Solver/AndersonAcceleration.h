@@ -44,8 +44,10 @@ private:
   Points LastResidual;
   Points LastImage;
   std::vector<Step> Steps; // oldest first
-  Eigen::MatrixXd Gram;    // of the steps' residuals
-  Eigen::VectorXd Right;   // their products with the last residual
+  // Of the steps' residuals, and their products with the last residual. Without memory of their
+  // own: Eigen would free it twice if there is none to grow.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, LargestWindow, LargestWindow> Gram;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, LargestWindow, 1> Right;
 };
 } // namespace SphericalStyle
 

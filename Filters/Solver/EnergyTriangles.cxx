@@ -55,6 +55,7 @@ bool UpdateEnergyTriangles(const Points& P, const EnergyTriangles& surface,
   const EnergyTriangleOptions& options, EnergyTriangles& triangles)
 {
   Triangles F = surface.Topology.GetTriangles();
+  triangles.Cotangents.resize(0, 3); // Eigen would free it twice if there is no memory for the next
   triangles.Cotangents = surface.Cotangents;
   triangles.NumberOfFlips = triangles.NumberOfNegativeEdges = -1;
   if (options.intrinsicDelaunay)
