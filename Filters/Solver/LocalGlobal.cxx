@@ -39,15 +39,14 @@ double Residual(const Points& Q, const Points& before, const Points& rest, int t
   return step > 0.0 ? step / LargestSquaredStep(Q, rest, threads) : 0.0;
 }
 
-/// The energy of the start. @throw SolverError if it or E_0 is no number
-EnergyTerms InRange(const EnergyTerms& start, double restEnergy)
+/// @throw SolverError if an energy is no number
+void RequireInRange(double energy)
 {
-  if (!std::isfinite(restEnergy) || !std::isfinite(start.Total()))
+  if (!std::isfinite(energy))
   {
     throw SolverError("the energy is beyond the range of double precision; make the roundness or "
                       "weight, the radius and the distance to the center smaller");
   }
-  return start;
 }
 
 bool Stops(const LoopOptions& options, const HistoryRow& row)
@@ -132,7 +131,9 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
   report.restEnergy = restEnergy;
   report.negligible = negligible;
   HistoryRow start;
-  start.energy = InRange(problem.Evaluate(Q), restEnergy);
+  start.energy = problem.Evaluate(Q);
+  RequireInRange(restEnergy);
+  RequireInRange(start.energy.Total());
   start.globalChange = start.energy.Total() - restEnergy;
   const bool nothingToGain = restEnergy <= negligible; // 0/0 is convergence
   start.gap = start.residual = nothingToGain ? 0.0 : Unknown;
@@ -184,6 +185,7 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
       Q.swap(image);
       row.energy = problem.Evaluate(Q);
     }
+    RequireInRange(row.energy.Total());
     row.globalChange = row.energy.Total() - bound;
     row.residual = Residual(Q, before, rest, options.threads);
     energies.push_back(row.energy.Total());

@@ -37,6 +37,10 @@ void Properties(Checker& check)
       [bad](FilterType* self, vtkPolyData*) { self->SetCubeness(bad); },
       [](FilterType* self) { self->SetCubeness(0.5); });
   }
+  ExpectError<FilterType>(
+    check, "Cubeness beyond an energy", { "energy is beyond the range" },
+    [](FilterType* self, vtkPolyData*) { self->SetCubeness(1.7e308); },
+    [](FilterType* self) { self->SetCubeness(0.5); });
 }
 
 /// sum over the triangles of the area times |n|_1, over the area: 1 for boxes along the axes.
