@@ -301,7 +301,7 @@ void Errors(Checker& check)
     withIds([](vtkIdType i) { return static_cast<double>(i); }));
   expect(
     "three components", { "Center id", "1 component" }, withIds([](vtkIdType) { return 1.0; }, 3));
-  expect("a part of one point", { "part 1", "triangle" },
+  expect("a part of one point", { "Center id 1", "triangle" },
     withIds([](vtkIdType i) { return i == 100 ? 1.0 : 0.0; }));
   expect("no such array", { "Center id", "nowhere" },
     [](vtkSphericalStyleFilter* filter, vtkPolyData*)
