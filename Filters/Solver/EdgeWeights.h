@@ -28,6 +28,8 @@ enum class SphericalWeighting
 
 /// m x 3 half cotangents c_h of the angle opposite half-edge h in its own triangle (half of
 /// Eq. 2.4 and 2.5). Never clamped: the sum over a triangle is positive semidefinite only as it is.
+/// The three share one area, so that it stays so, up to rounding, for every triangle that is not
+/// degenerate, at any scale.
 HalfEdgeScalars HalfEdgeCotangents(const Points& P, const Triangles& F);
 
 /// m x 3 w_uv: the sum of x over all half-edges of the undirected edge (Eq. 2.4 for x = c_h).
