@@ -38,6 +38,18 @@ void* operator new(std::size_t size, std::align_val_t alignment)
 {
   return Allocate(size, static_cast<std::size_t>(alignment));
 }
+// The library's own would call that above, a sanitizer's does not.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  try
+  {
+    return operator new(size);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr;
+  }
+}
 void operator delete(void* memory) noexcept
 {
   std::free(memory);
