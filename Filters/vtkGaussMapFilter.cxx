@@ -146,7 +146,8 @@ WeightedNormals vtkGaussMapFilter::Internals::GatherNormals(
     ofPoints && FindPointArray(wanted, input, NormalsRule.Purpose, NormalsRule.Attribute);
   // Given normals may differ between points at one place, as at a crease.
   surface = FromPolyData(input, !given);
-  const auto& [P, F] = surface.Mesh;
+  const SphericalStyle::Points P = SphericalStyle::AtUnitSize(surface.Mesh.P);
+  const SphericalStyle::Triangles& F = surface.Mesh.F;
   Eigen::VectorXd areas;
   if (self->AreaWeighted)
   {

@@ -31,6 +31,13 @@ bool IsDegenerate(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
   return !(longest > 0.0) || !((x / longest).cross(y / longest).norm() > SmallestAngle);
 }
 
+Points AtUnitSize(const Points& P)
+{
+  int exponent = 0;
+  std::frexp(P.rows() > 0 ? P.cwiseAbs().maxCoeff() : 0.0, &exponent);
+  return P * std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+}
+
 Eigen::VectorXd TriangleAreas(const Points& P, const Triangles& F)
 {
   Eigen::VectorXd area(F.rows());

@@ -13,6 +13,9 @@ namespace SphericalStyle
 /// or less.
 bool IsDegenerate(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
+/// P at about size 1, by a power of two, so that no digit changes: areas are infinite from 1e154
+/// on.
+Points AtUnitSize(const Points& P);
 /// m triangle areas, length^2.
 Eigen::VectorXd TriangleAreas(const Points& P, const Triangles& F);
 /// n lumped areas: a third of each triangle to each corner, length^2. They sum to the surface area.

@@ -97,7 +97,7 @@ void Scales(Checker& check)
     unit->SetNormalSource(source);
     unit->AreaWeightedOn();
     CheckSound(check, unit, MakeEllipsoid(Axes));
-    for (const double scale : { 1e-30, 1e-6, 1e6, 1e30 })
+    for (const double scale : { 1e-299, 1e-30, 1e-6, 1e6, 1e30, 1e299 })
     {
       check.About("scale " + vtkVariant(scale).ToString());
       WatchedGaussMap filter;
