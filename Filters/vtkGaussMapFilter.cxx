@@ -146,12 +146,13 @@ WeightedNormals vtkGaussMapFilter::Internals::GatherNormals(
     ofPoints && FindPointArray(wanted, input, NormalsRule.Purpose, NormalsRule.Attribute);
   // Given normals may differ between points at one place, as at a crease.
   surface = FromPolyData(input, !given);
-  const SphericalStyle::Points P = SphericalStyle::AtUnitSize(surface.Mesh.P);
+  const SphericalStyle::Points& P = surface.Mesh.P;
   const SphericalStyle::Triangles& F = surface.Mesh.F;
-  Eigen::VectorXd areas;
+  Eigen::VectorXd areas; // relative ones, which are finite at any size
   if (self->AreaWeighted)
   {
-    areas = ofPoints ? SphericalStyle::PointAreas(P, F) : SphericalStyle::TriangleAreas(P, F);
+    const SphericalStyle::Points unit = SphericalStyle::AtUnitSize(P);
+    areas = ofPoints ? SphericalStyle::PointAreas(unit, F) : SphericalStyle::TriangleAreas(unit, F);
   }
   if (!ofPoints)
   {

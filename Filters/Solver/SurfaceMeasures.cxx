@@ -117,20 +117,22 @@ Eigen::Vector3d AreaCentroid(const Points& P, const Triangles& F)
 
 Points TriangleNormals(const Points& P, const Triangles& F)
 {
+  const Points unit = AtUnitSize(P);
   Points normals(F.rows(), 3);
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
-    normals.row(f) = AreaVector(P, F, f).stableNormalized().transpose();
+    normals.row(f) = AreaVector(unit, F, f).stableNormalized().transpose();
   }
   return normals;
 }
 
 Points PointNormals(const Points& P, const Triangles& F)
 {
+  const Points unit = AtUnitSize(P);
   Points normals = Points::Zero(P.rows(), 3);
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
-    const Eigen::Vector3d area = AreaVector(P, F, f);
+    const Eigen::Vector3d area = AreaVector(unit, F, f);
     const double size = area.norm();
     if (!(size > 0.0))
     {
@@ -138,8 +140,8 @@ Points PointNormals(const Points& P, const Triangles& F)
     }
     for (int k = 0; k < 3; ++k)
     {
-      const Eigen::Vector3d x = P.row(F(f, HalfEdgeStart(k))) - P.row(F(f, k));
-      const Eigen::Vector3d y = P.row(F(f, HalfEdgeEnd(k))) - P.row(F(f, k));
+      const Eigen::Vector3d x = unit.row(F(f, HalfEdgeStart(k))) - unit.row(F(f, k));
+      const Eigen::Vector3d y = unit.row(F(f, HalfEdgeEnd(k))) - unit.row(F(f, k));
       normals.row(F(f, k)) += std::atan2(2.0 * size, x.dot(y)) / size * area.transpose();
     }
   }

@@ -38,10 +38,10 @@ double TripleProduct(const Points& P, const Triangles& F, Eigen::Index f, const 
 double SolidAngle(const Points& P, const Triangles& F, Eigen::Index f, const Eigen::Vector3d& O);
 /// Mean of the triangles' centroids, weighted by their areas.
 Eigen::Vector3d AreaCentroid(const Points& P, const Triangles& F);
-/// m x 3 unit normals of the triangles; 0 where there is no area.
+/// m x 3 unit normals of the triangles, at any size; 0 where there is no area.
 Points TriangleNormals(const Points& P, const Triangles& F);
 /// n x 3 unit normals, triangle normals weighted by the angle at the point (Thuermer, Wuethrich,
-/// Computing vertex normals from polygonal facets, 1998); 0 where they cancel.
+/// Computing vertex normals from polygonal facets, 1998), at any size; 0 where they cancel.
 Points PointNormals(const Points& P, const Triangles& F);
 
 /// Sphericity pi^(1/3) (6 V)^(2/3) / A: 1 for a ball, less for all else. [measures]

@@ -315,6 +315,22 @@ void TestTurnedOver()
   }
 }
 
+/// Powers of two change no digit; areas are infinite at the large one, and 0 at the small one.
+void TestNormalsAtAnySize()
+{
+  const TriangleMesh mesh = Meshes::Ellipsoid(2);
+  const Points ofPoints = PointNormals(mesh.P, mesh.F);
+  const Points ofTriangles = TriangleNormals(mesh.P, mesh.F);
+  CHECK((ofPoints.rowwise().norm().array() - 1.0).abs().maxCoeff() <= 1e-15, "unit normals");
+  for (const int exponent : { -990, -600, 600, 990 })
+  {
+    const Points P = mesh.P * std::ldexp(1.0, exponent);
+    CHECK(PointNormals(P, mesh.F) == ofPoints, "normals of points at size 2^" << exponent);
+    CHECK(TriangleNormals(P, mesh.F) == ofTriangles, "of triangles at size 2^" << exponent);
+  }
+  CHECK(PointNormals(Points::Zero(3, 3), Triangles{ { 0, 1, 2 } }).isZero(0.0), "at no size");
+}
+
 /// Against the volumes from apices apart.
 void TestVolumeAmbiguity()
 {
@@ -380,6 +396,7 @@ int main()
   TestRigidMotion();
   TestPairByHand();
   TestTurnedOver();
+  TestNormalsAtAnySize();
   TestVolumeAmbiguity();
   TestDegenerate();
   return CheckResult();
