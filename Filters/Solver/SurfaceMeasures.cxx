@@ -101,12 +101,13 @@ double BallRadius(double volume)
 
 double VolumeAmbiguity(const Points& P, const Triangles& F)
 {
+  const Points unit = AtUnitSize(P);
   Eigen::Vector3d area = Eigen::Vector3d::Zero();
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
-    area += AreaVector(P, F, f);
+    area += AreaVector(unit, F, f);
   }
-  return area.norm() / (4.0 * Pi * std::pow(BallRadius(EnclosedVolume(P, F)), 2));
+  return area.norm() / (4.0 * Pi * std::pow(BallRadius(EnclosedVolume(unit, F)), 2));
 }
 
 Eigen::Vector3d AreaCentroid(const Points& P, const Triangles& F)
@@ -163,13 +164,14 @@ Points PointNormals(const Points& P, const Triangles& F)
 
 double Sphericity(const Points& P, const Triangles& F)
 {
-  const double volume = std::abs(EnclosedVolume(P, F));
-  return std::cbrt(Pi) * std::pow(6.0 * volume, 2.0 / 3.0) / TriangleAreas(P, F).sum();
+  const Points unit = AtUnitSize(P);
+  const double volume = std::abs(EnclosedVolume(unit, F));
+  return std::cbrt(Pi) * std::pow(6.0 * volume, 2.0 / 3.0) / TriangleAreas(unit, F).sum();
 }
 
 double RadiusSpread(const Points& P, const Eigen::Vector3d& center)
 {
-  const Eigen::VectorXd radius = (P.rowwise() - center.transpose()).rowwise().norm();
+  const Eigen::VectorXd radius = AtUnitSize(P.rowwise() - center.transpose()).rowwise().norm();
   const double mean = radius.mean();
   return std::sqrt((radius.array() - mean).square().mean()) / mean;
 }

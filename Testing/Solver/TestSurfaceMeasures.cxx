@@ -315,20 +315,30 @@ void TestTurnedOver()
   }
 }
 
-/// Powers of two change no digit; areas are infinite at the large one, and 0 at the small one.
-void TestNormalsAtAnySize()
+/// Areas and volumes are infinite at the large sizes and 0 at the small ones, but what has no unit
+/// is the same, to the bit: powers of two change no digit.
+void TestAtAnySize()
 {
   const TriangleMesh mesh = Meshes::Ellipsoid(2);
+  const Triangles open = mesh.F.topRows(100);
+  const Vector3d center(0.1, 0.2, -0.3);
   const Points ofPoints = PointNormals(mesh.P, mesh.F);
   const Points ofTriangles = TriangleNormals(mesh.P, mesh.F);
   CHECK((ofPoints.rowwise().norm().array() - 1.0).abs().maxCoeff() <= 1e-15, "unit normals");
   for (const int exponent : { -990, -600, 600, 990 })
   {
-    const Points P = mesh.P * std::ldexp(1.0, exponent);
+    const double size = std::ldexp(1.0, exponent);
+    const Points P = size * mesh.P;
     CHECK(PointNormals(P, mesh.F) == ofPoints, "normals of points at size 2^" << exponent);
     CHECK(TriangleNormals(P, mesh.F) == ofTriangles, "of triangles at size 2^" << exponent);
+    CHECK(Sphericity(P, mesh.F) == Sphericity(mesh.P, mesh.F), "sphericity at 2^" << exponent);
+    CHECK(RadiusSpread(P, size * center) == RadiusSpread(mesh.P, center),
+      "radius spread at 2^" << exponent);
+    CHECK(VolumeAmbiguity(P, open) == VolumeAmbiguity(mesh.P, open),
+      "volume ambiguity at 2^" << exponent);
   }
   CHECK(PointNormals(Points::Zero(3, 3), Triangles{ { 0, 1, 2 } }).isZero(0.0), "at no size");
+  CHECK(RadiusSpread(mesh.P, 1e200 * center) < 1e-15, "from far away all are equally far");
 }
 
 /// Against the volumes from apices apart.
@@ -396,7 +406,7 @@ int main()
   TestRigidMotion();
   TestPairByHand();
   TestTurnedOver();
-  TestNormalsAtAnySize();
+  TestAtAnySize();
   TestVolumeAmbiguity();
   TestDegenerate();
   return CheckResult();
