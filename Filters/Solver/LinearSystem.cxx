@@ -48,7 +48,7 @@ LinearMethod LinearSystem::Choose(const Matrix& A)
       return A.rows() < SmallestSingle ? LinearMethod::Factor : LinearMethod::SingleFactor;
     }
   }
-  catch (const SolverError&) // too large to be ordered, or to be counted in 32 bits
+  catch (const SolverError&) // too large to be counted in 32 bits
   {
   }
   this->Cholesky = SparseCholesky();

@@ -17,12 +17,14 @@ enum class LinearMethod
   /// SingleFactor from 20 000 rows on, Factor below; ConjugateGradients where the factor would take
   /// more than half of the machine's memory
   Automatic,
-  Factor, ///< exact up to rounding: the reference
-          /// The factor in single precision, applied to the residual in double precision: half of
-          /// the time and memory of a solve. Factor where the matrix is so badly conditioned that
-          /// less than three digits of the correction would be right
+  /// Exact up to rounding: the reference
+  Factor,
+  /// The factor in single precision, applied to the residual in double precision: half of the time
+  /// and memory of a solve. Factor where the matrix is so badly conditioned that less than three
+  /// digits of the correction would be right
   SingleFactor,
-  ConjugateGradients ///< no factor: least memory, as many steps as are worth it
+  /// No factor: least memory, as many steps as are worth it
+  ConjugateGradients
 };
 
 /// A X = B, A symmetric positive definite (indefinite only with full-edge weights: then Factor is
@@ -41,7 +43,9 @@ public:
   /// Bytes that a factor may take with Automatic. Default: half of the machine's memory.
   void SetLargestFactor(double bytes) { this->LargestFactor = bytes; }
 
-  /// Ordering and symbolic factorisation of A's pattern. @throw SolverError
+  /// Ordering and symbolic factorisation of A's pattern.
+  /// @throw SolverError if it must be factored and is too large for that
+  /// @throw std::bad_alloc  what solves does not depend on the memory that happens to be free
   void Analyze(const Matrix& A);
   /// What solves need of the numbers of A. @throw SolverError if A is singular
   void Factor(const Matrix& A, int threads = 1);

@@ -91,14 +91,7 @@ public:
   void Analyze(const Matrix& A) override
   {
     this->Indefinite.reset();
-    try
-    {
-      this->Pattern = SupernodalPattern(A);
-    }
-    catch (const std::bad_alloc&)
-    {
-      throw SolverError("not enough memory to order the system matrix");
-    }
+    this->Pattern = SupernodalPattern(A);
   }
 
   double GetFactorBytes() const override

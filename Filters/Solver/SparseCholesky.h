@@ -43,7 +43,8 @@ public:
   /// What solves: "multifrontal LLT" or "Eigen LDLT", with "in single precision".
   const char* GetName() const;
 
-  /// Ordering and symbolic factorisation of A's pattern. @throw SolverError
+  /// Ordering and symbolic factorisation of A's pattern. @throw SolverError if it is too large to
+  /// be counted
   void Analyze(const Matrix& A);
   /// Bytes that a factor of the pattern of Analyze takes in double precision; 0 with
   /// Eigen, where it is not known before it is factored.

@@ -109,29 +109,21 @@ void CheckFaults(const char* name, const Options& before, const Options& options
   }
   CHECK(faults > 100, name << ": only " << faults << " allocations");
 }
-
-/// Where no factor can be made Automatic goes on without one; Factor does not.
-StyleOptions FactorOptions()
-{
-  StyleOptions options = Fixed({}, 3);
-  options.linearMethod = LinearMethod::Factor;
-  return options;
-}
 }
 
 int main()
 {
-  StyleOptions before = FactorOptions();
+  StyleOptions before = Fixed({}, 3);
   before.lambda = 2.0;
   for (const int threads : { 1, 3 })
   {
-    StyleOptions details = FactorOptions();
+    StyleOptions details = Fixed({}, 3);
     details.threads = threads;
     details.detailSize = 0.05;
     details.componentCoupling = ComponentCoupling::Stitched;
     details.edgeWeighting = EdgeWeighting::IntrinsicDelaunay;
     CheckFaults<StyleSolver>("details", before, details);
-    StyleOptions held = FactorOptions();
+    StyleOptions held = Fixed({}, 3);
     held.threads = threads;
     held.fixedPoints = { 1, 2, 3 };
     held.fixedPositions = Points::Random(3, 3);
