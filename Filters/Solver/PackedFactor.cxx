@@ -4,10 +4,10 @@
 
 #include "AlignedArray.h"
 #include "Parallel.h"
+#include "UnitScale.h"
 #include "Vector4.h"
 
 #include <algorithm>
-#include <cmath>
 #include <type_traits>
 #include <vector>
 
@@ -467,22 +467,6 @@ void PackedFactor<Scalar>::Set(int s, const double* panel)
   PackNode(node, panel, this->D->values.Get() + node.firstValue);
 }
 
-namespace
-{
-/// What brings B into the range of Scalar: a power of two, so that no digit changes.
-template <typename Scalar>
-double ScaleInto(const Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>& B)
-{
-  if (std::is_same_v<Scalar, double> || B.rows() == 0)
-  {
-    return 1.0;
-  }
-  int exponent = 0;
-  std::frexp(B.cwiseAbs().maxCoeff(), &exponent);
-  return std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
-}
-}
-
 template <typename Scalar>
 void PackedFactor<Scalar>::Solve(RightHandSides B, int threads) const
 {
@@ -493,7 +477,8 @@ void PackedFactor<Scalar>::Solve(RightHandSides B, int threads) const
   const auto tiles = [&d](std::ptrdiff_t first)
   { return reinterpret_cast<Rows<Scalar>*>(d.tiles.Get()) + 3 * first; };
 
-  const double scale = ScaleInto<Scalar>(B);
+  // Into the range of single precision.
+  const double scale = std::is_same_v<Scalar, double> ? 1.0 : UnitScale(B);
   X[n] = Point<Scalar>{};
   ParallelFor(n, threads,
     [&](int begin, int end)

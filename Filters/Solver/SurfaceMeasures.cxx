@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceMeasures.h"
 
+#include "UnitScale.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 
@@ -33,9 +35,7 @@ bool IsDegenerate(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
 
 Points AtUnitSize(const Points& P)
 {
-  int exponent = 0;
-  std::frexp(P.rows() > 0 ? P.cwiseAbs().maxCoeff() : 0.0, &exponent);
-  return P * std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+  return UnitScale(P) * P;
 }
 
 Eigen::VectorXd TriangleAreas(const Points& P, const Triangles& F)
