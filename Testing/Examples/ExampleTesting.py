@@ -39,6 +39,16 @@ def run_badly(script, *arguments, **options):
     return done.stdout
 
 
+def check_faults(script, model):
+    """What cannot be read, rounded or written is no success."""
+    broken, no_points = output / "broken.vtp", output / "table.csv"
+    broken.write_text("<VTKFile", encoding="utf-8")
+    no_points.write_text("a,b\n1,2\n", encoding="utf-8")
+    for bad in (broken, no_points):
+        assert bad.name in run_badly(script, bad, "--output", output / "none").splitlines()[-1]
+    run_badly(script, model, "--output", output / "nowhere" / "none")
+
+
 def run_well(script, *arguments):
     """What it printed; it has to end with exit code 0."""
     done = run(script, *arguments)

@@ -3,7 +3,7 @@
 """One model, several times: the files have what the filter gives, the picture shows all of them."""
 import numpy as np
 
-from ExampleTesting import count_shapes, data, output, pixels, points, rounded_points, run, run_badly, run_well
+from ExampleTesting import check_faults, count_shapes, data, output, pixels, points, rounded_points, run, run_well
 
 model = data / "creature.vtp"
 text = run_well("round_model.py", model, "--roundness", 0.5, 2, "--detail-size", 0.02, "--output", output / "r")
@@ -17,10 +17,4 @@ assert image.shape == (500, 1200, 3) and count_shapes(image) == 3, image.shape
 done = run("round_model.py", output / "nowhere.ply")
 assert done.returncode == 2 and "no such file" in done.stdout, done.stdout
 
-# What cannot be read, rounded or written is no success.
-broken, no_points = output / "broken.vtp", output / "table.csv"
-broken.write_text("<VTKFile", encoding="utf-8")
-no_points.write_text("a,b\n1,2\n", encoding="utf-8")
-for bad in (broken, no_points):
-    assert bad.name in run_badly("round_model.py", bad, "--output", output / "none").splitlines()[-1]
-run_badly("round_model.py", model, "--output", output / "nowhere" / "none")
+check_faults("round_model.py", model)
