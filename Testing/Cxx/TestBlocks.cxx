@@ -105,6 +105,7 @@ void CheckBlocks(Checker& check, const Subject& subject)
     errors.size() == (subject.refuses ? 1 : 0) && (errors.empty() || !Contains(errors[0], "block")),
     "an error of a surface alone should name no block" + Joined(errors));
 }
+
 /// Points that are at another place in the output.
 std::vector<vtkIdType> Moved(vtkDataSet* input, vtkDataSet* output)
 {

@@ -582,18 +582,23 @@ void TestSlivers()
       mesh.P.row(corners(0)) = 0.5 * (mesh.P.row(corners(1)) + mesh.P.row(corners(2))) +
         1e-9 * random.InCube().transpose();
     }
-    for (const double detailSize : { 0.0, 0.03 })
+    for (const EdgeWeighting weighting :
+      { EdgeWeighting::HalfEdge, EdgeWeighting::IntrinsicDelaunay })
     {
-      StyleSolver solver;
-      solver.SetMesh(mesh);
-      StyleOptions options = Fixed({}, 5);
-      options.lambda = 0.0;
-      options.detailSize = detailSize;
-      const StyleReport report = solver.Solve(options);
-      CHECK(report.linearSolver == "multifrontal LLT",
-        "seed " << seed << ": solved by " << report.linearSolver);
-      const double moved = Meshes::Distance(solver.GetPositions(), mesh.P);
-      CHECK(moved <= 1e-4, "seed " << seed << ": points moved by " << moved);
+      for (const double detailSize : { 0.0, 0.03 })
+      {
+        StyleSolver solver;
+        solver.SetMesh(mesh);
+        StyleOptions options = Fixed({}, 5);
+        options.lambda = 0.0;
+        options.detailSize = detailSize;
+        options.edgeWeighting = weighting;
+        const StyleReport report = solver.Solve(options);
+        CHECK(report.linearSolver == "multifrontal LLT",
+          "seed " << seed << ": solved by " << report.linearSolver);
+        const double moved = Meshes::Distance(solver.GetPositions(), mesh.P);
+        CHECK(moved <= 1e-4, "seed " << seed << ": points moved by " << moved);
+      }
     }
   }
 }
