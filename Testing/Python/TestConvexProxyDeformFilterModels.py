@@ -4,13 +4,8 @@
 
 usage: TestConvexProxyDeformFilterModels.py [--models DIR] [section ...]
 
-DIR (or $SPHERICALSTYLE_MODELS) holds car.ply, koala.ply and so on; without it the script leaves
-with 77, which ctest takes for "skipped". Sections: meshers car cases region house time; all of them
-when none is named. Every figure is printed, every claim is checked.
+Sections: meshers car cases region house time. The rest is as ModelTesting.py says.
 """
-import argparse
-import os
-import sys
 import time
 
 import numpy as np
@@ -19,21 +14,13 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFeatureEdges
 from vtkmodules.vtkFiltersModeling import vtkHausdorffDistancePointSetFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource
-from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from sphericalstyle import vtkConvexProxyDeformFilter, vtkSphericalStyleFilter
 
-DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+import ModelTesting
+from ModelTesting import check, main
+
 MESHERS = ("IsotropicRemeshing", "BallPivoting", "AdvancingFront", "SubdividedHull")
-failures = 0
-
-
-def check(good, claim):
-    global failures
-    if not good:
-        failures += 1
-        print("ERROR: should hold:", claim)
 
 
 def box(name, x, y, z):
@@ -46,18 +33,12 @@ def box(name, x, y, z):
 
 
 def read(name):
-    """A model of the folder, one of ours (our-...), or a box."""
+    """A model as ModelTesting reads it, or a box."""
     if name == "plate":
         return box(name, 1.0, 1.0, 0.02)
     if name == "needle":
         return box(name, 1.0, 0.02, 0.02)
-    ours = name.startswith("our-")
-    path = os.path.join(DATA, name[4:] + ".vtp") if ours else os.path.join(models, name + ".ply")
-    reader = vtkXMLPolyDataReader() if ours else vtkPLYReader()
-    reader.SetFileName(path)
-    reader.Update()
-    assert reader.GetOutput().GetNumberOfPoints() > 0, name
-    return reader.GetOutput()
+    return ModelTesting.read(name)
 
 
 def run(filter_class, surface, **properties):
@@ -346,16 +327,4 @@ def timing():
     check(np.median(first) < 2.5, "below 2.5 s")
 
 
-SECTIONS = {"meshers": meshers, "car": car, "cases": cases, "region": region, "house": house, "time": timing}
-parser = argparse.ArgumentParser()
-parser.add_argument("--models", default=os.environ.get("SPHERICALSTYLE_MODELS", ""))
-parser.add_argument("sections", nargs="*", choices=[[], *SECTIONS])
-arguments = parser.parse_args()
-models = arguments.models
-if not os.path.isdir(models):
-    print("no folder of models: skipped")
-    sys.exit(77)
-for section in arguments.sections or SECTIONS:
-    print(section)
-    SECTIONS[section]()
-sys.exit(1 if failures else 0)
+main({"meshers": meshers, "car": car, "cases": cases, "region": region, "house": house, "time": timing})

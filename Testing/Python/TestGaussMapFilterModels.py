@@ -4,44 +4,23 @@
 
 usage: TestGaussMapFilterModels.py [--models DIR] [section ...]
 
-DIR (or $SPHERICALSTYLE_MODELS) holds nefertiti.ply and so on; without it the script leaves with 77,
-which ctest takes for "skipped". Sections: face turns sphere; all of them when none is named. Every
-figure is printed, every claim is checked.
+Sections: face turns sphere. The rest is as ModelTesting.py says.
 """
-import argparse
-import os
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkCellCenters, vtkCleanPolyData
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
-from vtkmodules.vtkIOPLY import vtkPLYReader
 
 from sphericalstyle import vtkGaussMapFilter, vtkSphericalStyleFilter
+
+from ModelTesting import check, main, read
 
 # Chin to brow of nefertiti, in front of the ears; y is up, the face looks along z.
 FACE = (-np.inf, np.inf, -108.0, 75.0, 70.0, np.inf)
 MEASURES = ("Normals", "UnitsHit", "UnitsHitOften", "EqualAreaUnitsHit", "EqualAreaUnitsHitOften",
             "RelativeEntropy", "DistanceToUniform")
-failures = 0
-
-
-def check(good, claim):
-    global failures
-    if not good:
-        failures += 1
-        print("ERROR: should hold:", claim)
-
-
-def read(name):
-    reader = vtkPLYReader()
-    reader.SetFileName(os.path.join(models, name + ".ply"))
-    reader.Update()
-    assert reader.GetOutput().GetNumberOfPoints() > 0, name
-    return reader.GetOutput()
 
 
 def part(surface, bounds):
@@ -159,16 +138,4 @@ def sphere():
               f"{name}: nearly a ball is closer to uniform")
 
 
-SECTIONS = {"face": face, "turns": turns, "sphere": sphere}
-parser = argparse.ArgumentParser()
-parser.add_argument("--models", default=os.environ.get("SPHERICALSTYLE_MODELS", ""))
-parser.add_argument("sections", nargs="*", choices=[[], *SECTIONS])
-arguments = parser.parse_args()
-models = arguments.models
-if not os.path.isdir(models):
-    print("no folder of models: skipped")
-    sys.exit(77)
-for section in arguments.sections or SECTIONS:
-    print(section)
-    SECTIONS[section]()
-sys.exit(1 if failures else 0)
+main({"face": face, "turns": turns, "sphere": sphere})

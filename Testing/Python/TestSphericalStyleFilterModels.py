@@ -4,44 +4,21 @@
 
 usage: TestSphericalStyleFilterModels.py [--models DIR] [section ...]
 
-DIR (or $SPHERICALSTYLE_MODELS) holds spot.ply, bunny.ply and so on; without it the script leaves
-with 77, which ctest takes for "skipped". Sections: energy nonlinear nonlinear-time thesis converged sphere blend detail parts
-time foldguard; all of them when none is named. Every figure is printed, every claim is checked.
+Sections: energy nonlinear nonlinear-time thesis converged sphere blend detail parts time foldguard. The rest is as
+ModelTesting.py says.
 """
-import argparse
-import os
-import sys
 import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from sphericalstyle import vtkSphericalStyleFilter, vtkSurfaceMetrics
 
+from ModelTesting import check, main, read
+
 LAMBDAS = (0.1, 0.5, 5.0)
-DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
-failures = 0
-
-
-def check(good, claim):
-    global failures
-    if not good:
-        failures += 1
-        print("ERROR: should hold:", claim)
-
-
-def read(name):
-    """A model of the folder, or one of ours."""
-    path = os.path.join(models, name + ".ply")
-    reader = vtkPLYReader() if os.path.exists(path) else vtkXMLPolyDataReader()
-    reader.SetFileName(path if os.path.exists(path) else os.path.join(DATA, name + ".vtp"))
-    reader.Update()
-    assert reader.GetOutput().GetNumberOfPoints() > 0, name
-    return reader.GetOutput()
 
 
 def style(surface, **properties):
@@ -404,17 +381,6 @@ def foldguard():
         check(mean > high, f"{name}: more remains than of one lambda for all")
 
 
-SECTIONS = {"energy": energy, "nonlinear": nonlinear, "nonlinear-time": nonlinear_time, "thesis": thesis, "converged": converged, "sphere": sphere,
-            "blend": blend, "detail": detail, "parts": parts, "time": timing, "foldguard": foldguard}
-parser = argparse.ArgumentParser()
-parser.add_argument("--models", default=os.environ.get("SPHERICALSTYLE_MODELS", ""))
-parser.add_argument("sections", nargs="*", choices=[[], *SECTIONS])
-arguments = parser.parse_args()
-models = arguments.models
-if not os.path.isdir(models):
-    print("no folder of models: skipped")
-    sys.exit(77)
-for section in arguments.sections or SECTIONS:
-    print(section)
-    SECTIONS[section]()
-sys.exit(1 if failures else 0)
+main({"energy": energy, "nonlinear": nonlinear, "nonlinear-time": nonlinear_time, "thesis": thesis,
+      "converged": converged, "sphere": sphere, "blend": blend, "detail": detail, "parts": parts, "time": timing,
+      "foldguard": foldguard})

@@ -4,40 +4,18 @@
 
 usage: TestSurfaceMetricsModels.py [--models DIR] [section ...]
 
-DIR (or $SPHERICALSTYLE_MODELS) holds spot.ply, wingnut.ply and so on; without it the script leaves
-with 77, which ctest takes for "skipped". Sections: models folds areas; all of them when none is
-named. Every figure is printed, every claim is checked.
+Sections: models folds areas. The rest is as ModelTesting.py says.
 """
-import argparse
-import os
-import sys
-
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkReverseSense
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
-from vtkmodules.vtkIOPLY import vtkPLYReader
 
 from sphericalstyle import vtkSphericalStyleFilter, vtkSurfaceMetrics
 
-failures = 0
-
-
-def check(good, claim):
-    global failures
-    if not good:
-        failures += 1
-        print("ERROR: should hold:", claim)
-
-
-def read(name):
-    reader = vtkPLYReader()
-    reader.SetFileName(os.path.join(models, name + ".ply"))
-    reader.Update()
-    assert reader.GetOutput().GetNumberOfPoints() > 0, name
-    return reader.GetOutput()
+from ModelTesting import check, main, read
 
 
 def execute(filter_, surface, **properties):
@@ -156,16 +134,4 @@ def areas():
     check(abs(m["LargestAreaRatio"] - 47) < 1, "its corners balloon (A4.21)")
 
 
-SECTIONS = {"models": known, "folds": folds, "areas": areas}
-parser = argparse.ArgumentParser()
-parser.add_argument("--models", default=os.environ.get("SPHERICALSTYLE_MODELS", ""))
-parser.add_argument("sections", nargs="*", choices=[[], *SECTIONS])
-arguments = parser.parse_args()
-models = arguments.models
-if not os.path.isdir(models):
-    print("no folder of models: skipped")
-    sys.exit(77)
-for section in arguments.sections or SECTIONS:
-    print(section)
-    SECTIONS[section]()
-sys.exit(1 if failures else 0)
+main({"models": known, "folds": folds, "areas": areas})
