@@ -48,63 +48,69 @@ Sphere TargetSphere(
   return sphere;
 }
 
+namespace
+{
+/// The sphere of some points and triangles by themselves: others have no say, not even in the apex
+/// of the volume.
+Sphere SphereOfPart(const Points& P, const Triangles& F, const std::vector<int>& points,
+  const std::vector<int>& triangles, CenterMode center, RadiusMode radius, const Sphere& custom)
+{
+  if (points.empty())
+  {
+    throw std::invalid_argument("there is no point in it");
+  }
+  Sphere given = custom;
+  if (center == CenterMode::PointMean)
+  {
+    given.center = P(points, Eigen::all).colwise().mean();
+    center = CenterMode::Custom;
+  }
+  if ((center == CenterMode::AreaCentroid || radius != RadiusMode::Custom) && triangles.empty())
+  {
+    throw std::invalid_argument("there is no triangle in it to take the sphere from");
+  }
+  Points corners(3 * triangles.size(), 3);
+  Triangles soup(triangles.size(), 3);
+  for (Eigen::Index f = 0; f < soup.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      soup(f, k) = static_cast<int>(3 * f) + k;
+      corners.row(soup(f, k)) = P.row(F(triangles[f], k));
+    }
+  }
+  return TargetSphere(corners, soup, center, radius, given);
+}
+}
+
 std::vector<Sphere> TargetSpheres(const Points& P, const Triangles& F,
   const std::vector<int>& parts, int numberOfParts, CenterMode center, RadiusMode radius,
   const Sphere& custom)
 {
+  std::vector<std::vector<int>> points(numberOfParts);
+  std::vector<std::vector<int>> triangles(numberOfParts);
+  const auto add = [](std::vector<std::vector<int>>& members, int part, auto id)
+  {
+    if (part >= 0)
+    {
+      members[part].push_back(static_cast<int>(id));
+    }
+  };
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    add(points, parts[i], i);
+  }
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    const int b = parts[F(f, 1)];
+    add(triangles, b == parts[F(f, 2)] ? b : parts[F(f, 0)], f);
+  }
   std::vector<Sphere> spheres;
   for (int part = 0; part < numberOfParts; ++part)
   {
-    std::vector<int> own; // points
-    for (std::size_t i = 0; i < parts.size(); ++i)
-    {
-      if (parts[i] == part)
-      {
-        own.push_back(static_cast<int>(i));
-      }
-    }
-    std::vector<int> triangles;
-    for (Eigen::Index f = 0; f < F.rows(); ++f)
-    {
-      const int a = parts[F(f, 0)];
-      const int b = parts[F(f, 1)];
-      const int c = parts[F(f, 2)];
-      if ((b == c ? b : a) == part)
-      {
-        triangles.push_back(static_cast<int>(f));
-      }
-    }
     try
     {
-      if (own.empty())
-      {
-        throw std::invalid_argument("there is no point in it");
-      }
-      // Only these points and triangles: others have no say, not even in the apex of the volume.
-      const Points& ownPoints = P(own, Eigen::all);
-      Points corners(3 * triangles.size(), 3);
-      Triangles soup(triangles.size(), 3);
-      for (std::size_t i = 0; i < triangles.size(); ++i)
-      {
-        for (int k = 0; k < 3; ++k)
-        {
-          const auto row = static_cast<int>(3 * i) + k;
-          corners.row(row) = P.row(F(triangles[i], k));
-          soup(static_cast<Eigen::Index>(i), k) = row;
-        }
-      }
-      Sphere given = custom;
-      if (center == CenterMode::PointMean)
-      {
-        given.center = ownPoints.colwise().mean();
-      }
-      const bool needsSurface = center == CenterMode::AreaCentroid || radius != RadiusMode::Custom;
-      if (needsSurface && triangles.empty())
-      {
-        throw std::invalid_argument("there is no triangle in it to take the sphere from");
-      }
-      spheres.push_back(TargetSphere(corners, soup,
-        center == CenterMode::PointMean ? CenterMode::Custom : center, radius, given));
+      spheres.push_back(SphereOfPart(P, F, points[part], triangles[part], center, radius, custom));
     }
     catch (const std::invalid_argument& error)
     {
