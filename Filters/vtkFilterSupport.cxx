@@ -57,36 +57,39 @@ vtkDataObjectTree* Tree(vtkAlgorithm* self)
   return vtkDataObjectTree::SafeDownCast(self->GetInformation()->Get(Composite()));
 }
 
-/// @param path  names from the top to the leaf, which is below the tree if the answer is true
-bool FindLeaf(vtkDataObjectTree* tree, vtkDataObject* leaf, std::string& path)
+/// Names from the top of the tree to the leaf; empty if it is not there.
+std::string PathOf(vtkDataObjectTree* top, vtkDataObject* leaf)
 {
-  const auto children = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
-  children->TraverseSubTreeOff();
-  children->VisitOnlyLeavesOff();
-  children->SkipEmptyNodesOff();
-  int number = 0;
-  for (children->InitTraversal(); !children->IsDoneWithTraversal(); children->GoToNextItem())
+  std::vector<std::pair<vtkDataObjectTree*, std::string>> trees = { { top, "" } };
+  for (std::size_t k = 0; k < trees.size(); ++k)
   {
-    const char* given = children->HasCurrentMetaData()
-      ? children->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
-      : nullptr;
-    const std::string name = given && *given ? given : std::to_string(number);
-    vtkDataObject* child = children->GetCurrentDataObject();
-    std::string below;
-    if (child && child == leaf)
+    const auto [tree, above] = trees[k];
+    const auto children = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+    children->TraverseSubTreeOff();
+    children->VisitOnlyLeavesOff();
+    children->SkipEmptyNodesOff();
+    int number = 0;
+    for (children->InitTraversal(); !children->IsDoneWithTraversal(); children->GoToNextItem())
     {
-      path = name;
-      return true;
+      const char* name = children->HasCurrentMetaData()
+        ? children->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
+        : nullptr;
+      std::string path = above;
+      path += name && *name ? name : std::to_string(number);
+      vtkDataObject* child = children->GetCurrentDataObject();
+      if (child && child == leaf)
+      {
+        return path;
+      }
+      if (auto* subtree = vtkDataObjectTree::SafeDownCast(child))
+      {
+        path += "/";
+        trees.emplace_back(subtree, path);
+      }
+      ++number;
     }
-    if (auto* subtree = vtkDataObjectTree::SafeDownCast(child);
-        subtree && FindLeaf(subtree, leaf, below))
-    {
-      path = name + "/" + below;
-      return true;
-    }
-    ++number;
   }
-  return false;
+  return {};
 }
 
 void ReportFailure(vtkAlgorithm* self, vtkInformationVector* outputs, const char* what)
@@ -121,9 +124,8 @@ void NoteBlocks(vtkAlgorithm* self)
 std::string InBlock(vtkAlgorithm* self)
 {
   vtkDataObjectTree* tree = Tree(self);
-  std::string path;
-  return tree && FindLeaf(tree, self->GetInputDataObject(0, 0), path) ? "block \"" + path + "\": "
-                                                                      : "";
+  const std::string path = tree ? PathOf(tree, self->GetInputDataObject(0, 0)) : "";
+  return path.empty() ? "" : "block \"" + path + "\": ";
 }
 
 vtkSmartPointer<vtkDataObject> InTree(vtkAlgorithm* self, vtkDataObject* surface)
