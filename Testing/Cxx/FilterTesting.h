@@ -152,6 +152,25 @@ inline bool Contains(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
+/// Executes the filter: its progress should be told `times` times or more, from 0 to 1.
+inline void CheckProgress(Checker& check, vtkAlgorithm* filter, std::size_t times)
+{
+  std::vector<double> progress;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&progress);
+  command->SetCallback([](vtkObject*, unsigned long, void* data, void* value)
+    { static_cast<std::vector<double>*>(data)->push_back(*static_cast<double*>(value)); });
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, command);
+  filter->Update();
+  filter->RemoveObserver(tag);
+  check(progress.size() >= times,
+    "it should be told " + Text(static_cast<vtkIdType>(times)) + " times or more, not " +
+      Text(static_cast<vtkIdType>(progress.size())));
+  check(std::is_sorted(progress.begin(), progress.end()) && !progress.empty() &&
+      progress.front() >= 0.0 && progress.back() == 1.0,
+    "it should rise from 0 to 1");
+}
+
 // ------------------------------------------------------------------------------------- models
 
 inline Surface ReadModel(int argc, char* argv[], const char* name)

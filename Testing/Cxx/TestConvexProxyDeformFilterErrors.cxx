@@ -601,17 +601,7 @@ void ProgressRises(Checker& check)
 {
   check.About("progress");
   WatchedProxyFilter filter(MakeDented());
-  std::vector<double> progress;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&progress);
-  command->SetCallback([](vtkObject*, unsigned long, void* data, void* value)
-    { static_cast<std::vector<double>*>(data)->push_back(*static_cast<double*>(value)); });
-  filter->AddObserver(vtkCommand::ProgressEvent, command);
-  filter.Output();
-  check(progress.size() > 4, "it should be told in every stage");
-  check(std::is_sorted(progress.begin(), progress.end()) && progress.front() >= 0.0 &&
-      progress.back() == 1.0,
-    "it should rise from 0 to 1");
+  CheckProgress(check, filter.Get(), 5);
 }
 }
 

@@ -652,17 +652,7 @@ void ProgressRises(Checker& check)
   WatchedFilter filter(MakeModel());
   filter->SetSphericalWeightingToUniform(); // the default has a closed form
   filter->SetTolerance(1e-10);
-  std::vector<double> progress;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&progress);
-  command->SetCallback([](vtkObject*, unsigned long, void* data, void* value)
-    { static_cast<std::vector<double>*>(data)->push_back(*static_cast<double*>(value)); });
-  filter->AddObserver(vtkCommand::ProgressEvent, command);
-  filter.Output();
-  check(progress.size() > 5, "it should be told in every iteration");
-  check(std::is_sorted(progress.begin(), progress.end()) && progress.front() >= 0.0 &&
-      progress.back() == 1.0,
-    "it should rise from 0 to 1");
+  CheckProgress(check, filter.Get(), 6);
 }
 }
 

@@ -19,6 +19,33 @@ def make_long_sphere():
     return model
 
 
+def make_growing_sphere():
+    """A ball of radius 0.5 with three time steps, at each of which its height is the time."""
+    return ProgrammableSource(
+        OutputDataSetType="vtkPolyData",
+        ScriptRequestInformation="""
+executive = self.GetExecutive()
+information = executive.GetOutputInformation(0)
+information.Set(executive.TIME_STEPS(), [1.0, 2.0, 3.0], 3)
+information.Set(executive.TIME_RANGE(), [1.0, 3.0], 2)
+""",
+        Script="""
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+executive = self.GetExecutive()
+time = executive.GetOutputInformation(0).Get(executive.UPDATE_TIME_STEP())
+source, stretch, transform = vtkSphereSource(), vtkTransform(), vtkTransformPolyDataFilter()
+source.SetThetaResolution(24)
+source.SetPhiResolution(24)
+stretch.Scale(1.0, 1.0, time)
+transform.SetTransform(stretch)
+transform.SetInputConnection(source.GetOutputPort())
+transform.Update()
+self.GetOutput().ShallowCopy(transform.GetOutput())
+""")
+
+
 def update(proxy):
     UpdatePipeline(proxy=proxy)
     proxy.UpdatePipelineInformation()

@@ -9,18 +9,11 @@ import sys
 from paraview import servermanager, smtesting
 from paraview.simple import *
 
+from ProxyTesting import bounds, make_growing_sphere, points
+
 plugin, data = sys.argv[1:3]
 smtesting.ProcessCommandLineArguments()
 LoadPlugin(plugin, remote=False, ns=globals())
-
-
-def points(data_set):
-    return [data_set.GetPoint(i) for i in range(data_set.GetNumberOfPoints())]
-
-
-def bounds(proxy):
-    return proxy.GetDataInformation().GetBounds()
-
 
 # ---------------------------------------------------------------------- blocks keep to themselves
 cube = XMLPolyDataReader(FileName=[data + "/cube.vtp"])
@@ -37,30 +30,7 @@ for port in range(3):
         assert own.GetNumberOfPoints() > 0 and points(own) == points(blocks.GetBlock(k)), (port, k)
 
 # --------------------------------------------------------------------- every time step is a model
-moving = ProgrammableSource(
-    OutputDataSetType="vtkPolyData",
-    ScriptRequestInformation="""
-executive = self.GetExecutive()
-information = executive.GetOutputInformation(0)
-information.Set(executive.TIME_STEPS(), [1.0, 2.0, 3.0], 3)
-information.Set(executive.TIME_RANGE(), [1.0, 3.0], 2)
-""",
-    Script="""
-from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
-executive = self.GetExecutive()
-time = executive.GetOutputInformation(0).Get(executive.UPDATE_TIME_STEP())
-source, stretch, transform = vtkSphereSource(), vtkTransform(), vtkTransformPolyDataFilter()
-source.SetThetaResolution(24)
-source.SetPhiResolution(24)
-stretch.Scale(1.0, 1.0, time)
-transform.SetTransform(stretch)
-transform.SetInputConnection(source.GetOutputPort())
-transform.Update()
-self.GetOutput().ShallowCopy(transform.GetOutput())
-""")
-ball = ConvexProxyDeform(Input=moving, NumberOfProxyPoints=500, Blend=0.0, Roundness=50.0)
+ball = ConvexProxyDeform(Input=make_growing_sphere(), NumberOfProxyPoints=500, Blend=0.0, Roundness=50.0)
 heights = []
 for time in (1.0, 3.0, 2.0, 3.0):
     UpdatePipeline(time=time, proxy=ball)

@@ -9,6 +9,8 @@ import sys
 from paraview import servermanager, smtesting
 from paraview.simple import *
 
+from ProxyTesting import bounds, make_growing_sphere
+
 plugin, data = sys.argv[1:3]
 smtesting.ProcessCommandLineArguments()
 LoadPlugin(plugin, remote=False, ns=globals())
@@ -16,10 +18,6 @@ LoadPlugin(plugin, remote=False, ns=globals())
 
 def points(proxy):
     return servermanager.Fetch(proxy).GetPoints()
-
-
-def bounds(proxy):
-    return proxy.GetDataInformation().GetBounds()
 
 
 # ---------------------------------------------------------------------- blocks keep to themselves
@@ -40,30 +38,7 @@ for k in range(2):
     assert tables.GetBlock(k).GetNumberOfRows() > 0
 
 # --------------------------------------------------------------------- every time step is a model
-moving = ProgrammableSource(
-    OutputDataSetType="vtkPolyData",
-    ScriptRequestInformation="""
-executive = self.GetExecutive()
-information = executive.GetOutputInformation(0)
-information.Set(executive.TIME_STEPS(), [1.0, 2.0, 3.0], 3)
-information.Set(executive.TIME_RANGE(), [1.0, 3.0], 2)
-""",
-    Script="""
-from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
-executive = self.GetExecutive()
-time = executive.GetOutputInformation(0).Get(executive.UPDATE_TIME_STEP())
-source, stretch, transform = vtkSphereSource(), vtkTransform(), vtkTransformPolyDataFilter()
-source.SetThetaResolution(24)
-source.SetPhiResolution(24)
-stretch.Scale(1.0, 1.0, time)
-transform.SetTransform(stretch)
-transform.SetInputConnection(source.GetOutputPort())
-transform.Update()
-self.GetOutput().ShallowCopy(transform.GetOutput())
-""")
-style = SphericalStyle(Input=moving, Roundness=50.0)
+style = SphericalStyle(Input=make_growing_sphere(), Roundness=50.0)
 heights = []
 for time in (1.0, 3.0, 2.0, 3.0):
     UpdatePipeline(time=time, proxy=style)
