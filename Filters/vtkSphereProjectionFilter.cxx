@@ -53,7 +53,7 @@ Sphere FindSphere(
 }
 }
 
-vtkSphereProjectionFilter::vtkSphereProjectionFilter() {}
+vtkSphereProjectionFilter::vtkSphereProjectionFilter() = default;
 
 int vtkSphereProjectionFilter::FillInputPortInformation(int, vtkInformation* info)
 {

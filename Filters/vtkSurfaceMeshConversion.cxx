@@ -577,26 +577,15 @@ vtkSmartPointer<vtkDataArray> NewPointArray(
   array->SetName(name);
   return array;
 }
-}
 
-vtkIdType vtkSurfaceMesh::FirstInputPoint(int i) const
-{
-  return std::find(this->MeshPoint.begin(), this->MeshPoint.end(), i) - this->MeshPoint.begin();
-}
+using Corners = std::array<vtkIdType, 3>; // input points
 
-namespace vtkSurfaceMeshConversion
+/// The triangles that have an area, and what is to be said of the others and of polygons.
+/// @param first  for each point, the first of those at its place
+std::vector<Corners> TakeTriangles(
+  vtkPolyData* input, const Points& x, const std::vector<vtkIdType>& first, vtkSurfaceMesh& surface)
 {
-vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
-{
-  CheckAllNormals(input);
-  CheckCells(input);
-  Points x = CheckedPoints(input);
-  const std::vector<vtkIdType> first = Representatives(x, weld);
-
-  vtkSurfaceMesh surface;
-  surface.Welded = weld;
-  using Corners = std::array<vtkIdType, 3>;
-  std::vector<Corners> triangles; // by input points
+  std::vector<Corners> triangles;
   triangles.reserve(input->GetNumberOfPolys());
   surface.Cells.reserve(input->GetNumberOfPolys());
   FaceTriangles faces(input);
@@ -619,10 +608,15 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
     });
   surface.FannedPolygons = faces.Fanned;
   surface.FirstFannedPolygon = faces.FirstFanned;
+  return triangles;
+}
 
-  // Number the used places in the order of the input, so that "last point" means the input's.
-  CheckSize(triangles.size(), first.size());
-  std::vector<int> number(first.size(), vtkSurfaceMesh::NotMoved);
+/// Numbers the places in use in the order of the input, so that "last point" means the input's.
+/// @param number  NotMoved for other points @return how many there are
+int NumberPlaces(const std::vector<Corners>& triangles, const std::vector<vtkIdType>& first,
+  vtkSurfaceMeshConversion::TakePoints take, std::vector<int>& number)
+{
+  number.assign(first.size(), vtkSurfaceMesh::NotMoved);
   for (const Corners& t : triangles)
   {
     for (const vtkIdType i : t)
@@ -630,7 +624,7 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
       number[first[i]] = 0;
     }
   }
-  if (take == TakePoints::All)
+  if (take == vtkSurfaceMeshConversion::TakePoints::All)
   {
     for (const vtkIdType i : first)
     {
@@ -642,6 +636,30 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
   {
     id = id == 0 ? count++ : id;
   }
+  return count;
+}
+}
+
+vtkIdType vtkSurfaceMesh::FirstInputPoint(int i) const
+{
+  return std::find(this->MeshPoint.begin(), this->MeshPoint.end(), i) - this->MeshPoint.begin();
+}
+
+namespace vtkSurfaceMeshConversion
+{
+vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
+{
+  CheckAllNormals(input);
+  CheckCells(input);
+  Points x = CheckedPoints(input);
+  const std::vector<vtkIdType> first = Representatives(x, weld);
+
+  vtkSurfaceMesh surface;
+  surface.Welded = weld;
+  const std::vector<Corners> triangles = TakeTriangles(input, x, first, surface);
+  CheckSize(triangles.size(), first.size());
+  std::vector<int> number;
+  const int count = NumberPlaces(triangles, first, take, number);
   surface.Mesh.P.resize(count, 3);
   surface.Mesh.F.resize(static_cast<Eigen::Index>(triangles.size()), 3);
   surface.Corners.resize(static_cast<Eigen::Index>(triangles.size()), 3);

@@ -319,7 +319,7 @@ vtkSmartPointer<vtkPolyData> vtkWholeSurfaceAlgorithm::Internals::Assemble(
 vtkWholeSurfaceAlgorithm::vtkWholeSurfaceAlgorithm()
   : Internal(std::make_unique<Internals>())
 {
-  this->SetController(vtkMultiProcessController::GetGlobalController());
+  this->vtkWholeSurfaceAlgorithm::SetController(vtkMultiProcessController::GetGlobalController());
   NoteBlocks(this);
   vtkNew<vtkCallbackCommand> note;
   note->SetCallback(Internals::NoteDepth);
@@ -329,7 +329,7 @@ vtkWholeSurfaceAlgorithm::vtkWholeSurfaceAlgorithm()
 
 vtkWholeSurfaceAlgorithm::~vtkWholeSurfaceAlgorithm()
 {
-  this->SetController(nullptr);
+  this->vtkWholeSurfaceAlgorithm::SetController(nullptr);
 }
 
 int vtkWholeSurfaceAlgorithm::RequestData(

@@ -50,7 +50,7 @@ public:
    * The processes that the surface is spread over. Default: the global controller at the time of
    * construction. Set nullptr where each process works on a surface of its own.
    */
-  virtual void SetController(vtkMultiProcessController* controller);
+  virtual void SetController(vtkMultiProcessController*);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
 

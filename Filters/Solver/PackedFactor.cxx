@@ -203,8 +203,14 @@ void SetTargets(Packed<Scalar>& packed, std::vector<int>& ownRow, Part& part)
 template <typename Scalar>
 SPHERICALSTYLE_INLINE void Gather(const Point<Scalar>* X, const int* slot, Rows<Scalar>* w)
 {
-  const Point<Scalar>&a = X[slot[0]], &b = X[slot[1]], &c = X[slot[2]], &d = X[slot[3]],
-        &e = X[slot[4]], &f = X[slot[5]], &g = X[slot[6]], &h = X[slot[7]];
+  const Point<Scalar>& a = X[slot[0]];
+  const Point<Scalar>& b = X[slot[1]];
+  const Point<Scalar>& c = X[slot[2]];
+  const Point<Scalar>& d = X[slot[3]];
+  const Point<Scalar>& e = X[slot[4]];
+  const Point<Scalar>& f = X[slot[5]];
+  const Point<Scalar>& g = X[slot[6]];
+  const Point<Scalar>& h = X[slot[7]];
   for (int k = 0; k < 3; ++k)
   {
     w[k] = Rows<Scalar>{ a[k], b[k], c[k], d[k], e[k], f[k], g[k], h[k] };

@@ -104,7 +104,7 @@ class SupernodalTasks
 {
 public:
   SupernodalTasks() = default;
-  explicit SupernodalTasks(const SupernodalPattern& pattern);
+  explicit SupernodalTasks(const SupernodalPattern& L);
 
   /// Supernodes first..last - 1.
   struct Range

@@ -59,10 +59,10 @@ public:
     tree.Middles.resize(nodes);
   }
 
-  void Build(const Node& node)
+  void Build(const Node& node) // NOLINT(misc-no-recursion): as deep as keys have bits
   {
     Eigen::AlignedBox3d box;
-    if (this->Tree.IsLeaf(node))
+    if (IsLeaf(node))
     {
       for (const int* f = this->Tree.Begin(node); f != this->Tree.End(node); ++f)
       {
@@ -98,7 +98,8 @@ private:
     {
       bit &= bit - 1;
     }
-    int low = first, high = last - 1; // low is not in the other half, high is
+    int low = first;     // is not in the other half
+    int high = last - 1; // is
     while (high - low > 1)
     {
       const int middle = low + (high - low) / 2;

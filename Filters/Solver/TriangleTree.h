@@ -34,7 +34,7 @@ public:
   Node GetRoot() const { return { 0, 0, this->CountGroups() }; }
   const Eigen::AlignedBox3d& GetBox(const Node& node) const { return this->Boxes[node.index]; }
 
-  bool IsLeaf(const Node& node) const { return node.last - node.first == 1; }
+  static bool IsLeaf(const Node& node) { return node.last - node.first == 1; }
   Node GetLeft(const Node& node) const
   {
     return { node.index + 1, node.first, this->Middles[node.index] };

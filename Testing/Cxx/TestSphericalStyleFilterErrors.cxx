@@ -548,7 +548,7 @@ Surface MakeSkewSheet(int side)
   for (int i = 0; i < side * side; ++i)
   {
     const double x = i % side;
-    const double y = i / side;
+    const auto y = static_cast<double>(i / side);
     points.push_back({ x + 1.6 * y, y, 0.1 * std::sin(x) });
     if (x + 1 < side && y + 1 < side)
     {
