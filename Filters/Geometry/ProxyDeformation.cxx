@@ -56,7 +56,7 @@ bool IsClosed(const Triangles& F)
     {
       const int u = t[HalfEdgeStart(k)];
       const int v = t[HalfEdgeEnd(k)];
-      (u < v ? up : down).push_back(std::minmax(u, v));
+      (u < v ? up : down).emplace_back(std::minmax(u, v));
     }
   }
   std::sort(up.begin(), up.end());
