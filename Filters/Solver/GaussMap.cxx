@@ -42,7 +42,7 @@ int UnitsAbove(const Eigen::VectorXd& counts, double threshold)
 
 Spread MeasureSpread(const Eigen::VectorXd& counts)
 {
-  const double K = static_cast<double>(counts.size());
+  const auto K = static_cast<double>(counts.size());
   const double total = counts.sum();
   if (!(total > 0.0))
   {

@@ -107,7 +107,7 @@ Gluing::Gluing(const Points& P, const Triangles& F, const HalfEdgeScalars& cotan
     {
       this->Twins[h[0]] = h[1];
       this->Twins[h[1]] = h[0];
-      this->Opposed[e] = start(0) == start(1);
+      this->Opposed[e] = start(0) == start(1) ? 1 : 0;
     }
   }
 }

@@ -122,6 +122,23 @@ SPHERICALSTYLE_INLINE Matrix8 Times(const Matrix8& A, const Matrix8& B)
   return C;
 }
 
+SPHERICALSTYLE_INLINE Matrix8 Cofactor(const Matrix8& A)
+{
+  Matrix8 C;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int i1 = (i + 1) % 3;
+    const int i2 = (i + 2) % 3;
+    for (int j = 0; j < 3; ++j)
+    {
+      const int j1 = (j + 1) % 3;
+      const int j2 = (j + 2) % 3;
+      C(i, j) = A(i1, j1) * A(i2, j2) - A(i1, j2) * A(i2, j1);
+    }
+  }
+  return C;
+}
+
 SPHERICALSTYLE_INLINE Vector8 SquaredNorm(const Matrix8& A)
 {
   Vector8 sum = {};
@@ -162,18 +179,7 @@ void ClosestRotations(const double* S, double* R, bool* good)
   {
     x /= size; // not a number where there is nothing: no lane is good then
   }
-  Matrix8 cofactor;
-  for (int i = 0; i < 3; ++i)
-  {
-    const int i1 = (i + 1) % 3;
-    const int i2 = (i + 2) % 3;
-    for (int j = 0; j < 3; ++j)
-    {
-      const int j1 = (j + 1) % 3;
-      const int j2 = (j + 2) % 3;
-      cofactor(i, j) = M(i1, j1) * M(i2, j2) - M(i1, j2) * M(i2, j1);
-    }
-  }
+  const Matrix8 cofactor = Cofactor(M);
   const Vector8 d = M(0, 0) * cofactor(0, 0) + M(1, 0) * cofactor(1, 0) + M(2, 0) * cofactor(2, 0);
   const Vector8 b = SquaredNorm(cofactor);
   Vector8 x = Vector8{} + std::sqrt(3.0);
