@@ -82,7 +82,7 @@ VectorXd NonlinearEnergy::CellEnergies(const Points& Q, const Matrices& R, const
   return energies;
 }
 
-VectorXd NonlinearEnergy::ReciprocalDistances(const Points& Q) const
+VectorXd NonlinearEnergy::ReciprocalDistances(const Points& Q)
 {
   return Q.rowwise().norm().cwiseInverse().cwiseMin(LargestScale);
 }

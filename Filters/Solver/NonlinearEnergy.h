@@ -41,7 +41,7 @@ public:
   Eigen::VectorXd CellEnergies(const Points& Q, const Matrices& R, const Eigen::VectorXd& s) const;
 
   /// s_j = 1 / |p'_j|, of which s is the auxiliary (Eq. 3.2).
-  Eigen::VectorXd ReciprocalDistances(const Points& Q) const;
+  static Eigen::VectorXd ReciprocalDistances(const Points& Q);
   /// S_i (Eq. 3.7).
   void Covariances(const Points& Q, const Eigen::VectorXd& s, Matrices& S) const;
   /// s_j := the minimiser of E over 0 <= s_j <= LargestScale, one per point. 0 for p'_j = o, where

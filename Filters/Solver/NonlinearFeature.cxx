@@ -393,7 +393,7 @@ void NonlinearFeature::State::BuildEnergy(const NonlinearOptions& options, Style
   this->Energy = NonlinearEnergy(
     this->Rings, sphereFrame.Into(this->P), normals, std::move(lambda), options.threads);
   const Points& P = this->Energy.GetRestPoints();
-  const VectorXd s = this->Energy.ReciprocalDistances(P);
+  const VectorXd s = NonlinearEnergy::ReciprocalDistances(P);
   this->InwardNormals = P.cwiseProduct(normals).rowwise().sum().dot(s) < 0.0;
   report.seconds.weights = watch.Seconds();
 }
@@ -420,7 +420,7 @@ StyleReport NonlinearFeature::Solve(const NonlinearOptions& options, const Callb
   s.BuildEnergy(options, report);
   s.Q = s.Energy.GetRestPoints();
   s.R.assign(s.Q.rows(), Eigen::Matrix3d::Identity());
-  s.Scales = s.Energy.ReciprocalDistances(s.Q);
+  s.Scales = NonlinearEnergy::ReciprocalDistances(s.Q);
 
   const Stopwatch iterate;
   const Effort before = s.Done;

@@ -80,6 +80,7 @@ public:
     std::vector<int> points(P.rows());
     std::iota(points.begin(), points.end(), 0);
     std::vector<Tree::Volume> boxes;
+    boxes.reserve(points.size());
     for (const int i : points)
     {
       boxes.emplace_back(Eigen::Vector3d(P.row(i)));
@@ -95,11 +96,11 @@ public:
     {
       const Children children(this->Hierarchy, node);
       std::vector<int> found;
-      for (auto child = children.boxes; child != children.boxesEnd; ++child)
+      for (const auto* child = children.boxes; child != children.boxesEnd; ++child)
       {
         found.push_back(this->NodeGroup[*child]);
       }
-      for (auto point = children.points; point != children.pointsEnd; ++point)
+      for (const auto* point = children.points; point != children.pointsEnd; ++point)
       {
         found.push_back(groups[*point]);
       }
@@ -137,7 +138,7 @@ private:
   {
     const Children children(this->Hierarchy, node);
     const Eigen::Vector3d p = this->P.row(best.from);
-    for (auto point = children.points; point != children.pointsEnd; ++point)
+    for (const auto* point = children.points; point != children.pointsEnd; ++point)
     {
       const double length = (this->P.row(*point).transpose() - p).squaredNorm();
       if (this->Group[*point] != this->Group[best.from] &&
@@ -149,7 +150,7 @@ private:
     }
     std::pair<double, int> nodes[2];
     int count = 0;
-    for (auto child = children.boxes; child != children.boxesEnd; ++child)
+    for (const auto* child = children.boxes; child != children.boxesEnd; ++child)
     {
       if (this->NodeGroup[*child] != this->Group[best.from])
       {
@@ -279,6 +280,7 @@ private:
     this->Group = this->Parts.OfPoints();
     this->Others.SetGroups(this->Group);
     std::vector<Link> links;
+    links.reserve(this->P.rows());
     for (int i = 0; i < this->P.rows(); ++i)
     {
       links.push_back(this->Others.Nearest(i));
@@ -340,7 +342,7 @@ private:
     std::sort(all.begin(), all.end(), byPair);
     std::sort(kept.begin(), kept.end(), byPair);
     std::vector<std::pair<Iterator, Iterator>> joints; // kept links of one pair of groups
-    for (Iterator at = kept.begin(); at != kept.end(); at = joints.back().second)
+    for (auto at = kept.cbegin(); at != kept.end(); at = joints.back().second)
     {
       joints.emplace_back(at, std::upper_bound(at, kept.cend(), *at, byPairOnly));
     }
@@ -372,7 +374,7 @@ private:
     for (;;)
     {
       reach *= 2.0;
-      const Iterator within = std::upper_bound(
+      const auto within = std::upper_bound(
         all, allEnd, reach, [](double value, const Link& link) { return value < link.length; });
       const Tripod tripod(this->P, all, within);
       if (tripod.height >= needed || within == allEnd)

@@ -51,7 +51,7 @@ struct FirstHit
   /// Looks through what is below a node of the tree, nearest boxes first.
   void Search(const TriangleTree& tree, const TriangleTree::Node& node)
   {
-    if (tree.IsLeaf(node))
+    if (TriangleTree::IsLeaf(node))
     {
       std::for_each(tree.Begin(node), tree.End(node), [this](int f) { this->Test(f); });
       return;
@@ -85,7 +85,7 @@ struct FirstHit
     const Eigen::Array3d a = low * this->Inverse.array(), b = high * this->Inverse.array();
     const double enters = std::max(0.0, a.min(b).maxCoeff());
     const double leaves = a.max(b).minCoeff();
-    return enters <= leaves ? enters : Nothing;
+    return enters <= leaves ? enters : Nothing; // NOLINT(bugprone-narrowing-conversions): infinity
   }
 
   /// Takes the triangle if the ray meets it first (Moeller, Trumbore, Fast, minimum storage

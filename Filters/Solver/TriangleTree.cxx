@@ -59,7 +59,7 @@ public:
     tree.Middles.resize(nodes);
   }
 
-  void Build(const Node& node) // NOLINT(misc-no-recursion): as deep as keys have bits
+  void Build(const Node& node)
   {
     Eigen::AlignedBox3d box;
     if (IsLeaf(node))
