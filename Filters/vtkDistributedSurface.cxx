@@ -312,7 +312,7 @@ void vtkDistributedSurface::Gather(vtkPolyData* piece)
 
 vtkSmartPointer<vtkPolyData> vtkDistributedSurface::Assemble()
 {
-  const auto whole = vtkSmartPointer<vtkPolyData>::New();
+  auto whole = vtkSmartPointer<vtkPolyData>::New();
   if (this->Gathered.empty())
   {
     return whole;
@@ -562,7 +562,7 @@ vtkSmartPointer<vtkPolyData> vtkDistributedSurface::Reply(
   vtkPolyData* whole, vtkPolyData* result, std::size_t piece) const
 {
   const Places& places = this->Place[piece];
-  const auto reply = vtkSmartPointer<vtkPolyData>::New();
+  auto reply = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataType(result->GetPoints()->GetDataType());
   points->SetNumberOfPoints(static_cast<vtkIdType>(places.Points.size()));

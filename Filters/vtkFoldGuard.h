@@ -31,7 +31,7 @@ using Finish = std::function<SphericalStyle::Points(const SphericalStyle::Points
 
 /// @param callback  iterations are counted on over all solves
 /// @throw std::invalid_argument in a library without CGAL
-Result Solve(SphericalStyle::StyleSolver& solver, const SphericalStyle::StyleOptions& options,
+Result Solve(SphericalStyle::StyleSolver& solver, const SphericalStyle::StyleOptions& wanted,
   const SphericalStyle::TriangleMesh& rest, bool singlePrecision, const Finish& finish,
   const SphericalStyle::Callback& callback);
 

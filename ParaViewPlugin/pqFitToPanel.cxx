@@ -89,7 +89,7 @@ void pqFitToPanel::watchPanel()
   for (auto* number : properties->findChildren<pqDoubleLineEdit*>())
   {
     number->installEventFilter(this);
-    this->connect(number, &QLineEdit::textChanged, [number] { FitDigits(number); });
+    QObject::connect(number, &QLineEdit::textChanged, [number] { FitDigits(number); });
     FitDigits(number);
   }
 }

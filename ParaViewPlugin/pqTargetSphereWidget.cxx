@@ -21,6 +21,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace
 {
 constexpr int Custom = 2; // of CenterMode and of RadiusMode
@@ -153,14 +155,9 @@ bool pqTargetSphereWidget::isSphereWanted() const
   {
     return false;
   }
-  for (const auto* other : this->parentWidget()->findChildren<pqSpherePropertyWidget*>())
-  {
-    if (other->isWidgetVisible())
-    {
-      return false;
-    }
-  }
-  return true;
+  const auto others = this->parentWidget()->findChildren<pqSpherePropertyWidget*>();
+  return std::none_of(others.begin(), others.end(),
+    [](const pqSpherePropertyWidget* other) { return other->isWidgetVisible(); });
 }
 
 void pqTargetSphereWidget::updateSphere()

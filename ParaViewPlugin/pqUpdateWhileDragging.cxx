@@ -199,6 +199,6 @@ void pqUpdateWhileDragging::update()
   panel->apply();
   source->setModifiedState(pqProxy::UNMODIFIED);
   view->forceRender();
-  this->disconnect(executed);
+  QObject::disconnect(executed);
   this->SlowUpdates = clock.elapsed() > SlowUpdate ? this->SlowUpdates + 1 : 0;
 }
