@@ -25,10 +25,10 @@ def check(good, claim):
 
 
 def read(name):
-    """A model of the folder, or else one of ours; our-NAME is ours in any case."""
-    path = os.path.join(models, name + ".ply")
-    reader = vtkPLYReader() if os.path.exists(path) else vtkXMLPolyDataReader()
-    reader.SetFileName(path if os.path.exists(path) else os.path.join(DATA, name.removeprefix("our-") + ".vtp"))
+    """A model of the folder; our-NAME is one of ours."""
+    ours = name.startswith("our-")
+    reader = vtkXMLPolyDataReader() if ours else vtkPLYReader()
+    reader.SetFileName(os.path.join(DATA, name[4:] + ".vtp") if ours else os.path.join(models, name + ".ply"))
     reader.Update()
     assert reader.GetOutput().GetNumberOfPoints() > 0, name
     return reader.GetOutput()

@@ -88,7 +88,7 @@ def rises(f, name):
 
 
 def nonlinear():
-    for name in ("go-stone", "stone-house", "spot", "bunny"):
+    for name in ("our-go-stone", "our-stone-house", "spot", "bunny"):
         surface = read(name)
         for l in (0.1, 1.0, 5.0):
             f = fixed(surface, Feature=1, Roundness=l)
@@ -98,12 +98,12 @@ def nonlinear():
             print(f"  {name:12s} lambda {l:<4g} corrected: E {rest_energy(f) / total[-1]:8.1f} times smaller after 30 "
                   f"iterations; local, global steps and totals that rise: {count}")
             check(sum(count) == 0, f"{name}, lambda {l}: the energy falls in each of 30 iterations")
-    for name in ("go-stone", "stone-house"):
+    for name in ("our-go-stone", "our-stone-house"):
         f = fixed(read(name), Feature=1, Roundness=0.1, CenterConstraint=1)
         steps = rises(f, "GlobalChange")
         totals = int((np.diff(column(f, "Total")) > 1e-12 * rest_energy(f)).sum())
         print(f"  {name:12s} lambda 0.1  as written: {steps} global steps and {totals} totals of 30 rise")
-        check((steps > 0) == (totals > 0) == (name == "stone-house"), f"{name}: as written")
+        check((steps > 0) == (totals > 0) == (name == "our-stone-house"), f"{name}: as written")
 
 
 def seconds_per_iteration(surface, **properties):
@@ -129,7 +129,7 @@ def nonlinear_time():
 
 # -- the thesis' own rule -------------------------------------------------------------------------
 def thesis():
-    for name in ("go-stone", "icosahedron", "spot"):
+    for name in ("our-go-stone", "our-icosahedron", "spot"):
         surface = read(name)
         for a in (0.0, 1.0):
             counts = []
@@ -159,7 +159,7 @@ def converged():
 
 # -- a ball at the end ----------------------------------------------------------------------------
 def sphere():
-    for name in ("go-stone", "cuboid", "stone-house"):
+    for name in ("our-go-stone", "our-cuboid", "our-stone-house"):
         f = style(read(name), Roundness=50.0)
         x = points(f.GetOutput())
         # least-squares sphere: |x|^2 = 2 c.x + (r^2 - |c|^2)
@@ -168,7 +168,7 @@ def sphere():
         ratio = fitted / f.GetEffectiveRadius()
         print(f"  {name:18s} lambda 50: fitted radius / r = {ratio:.5f}")
         check(abs(ratio - 1.0) < 0.005, f"{name}: fitted radius within .5 % of r")
-    box = read("cube")
+    box = read("our-cube")
     rest = points(box)
     high = rest[:, 2].max()
     middle = rest[:, :2].mean(axis=0)
@@ -344,9 +344,9 @@ def area_weights(surface):
 
 
 def foldguard():
-    for name in ("tetrahedron", "tangram-prism", "stone-house", "spot", "bunny"):
+    for name in ("our-tetrahedron", "our-tangram-prism", "our-stone-house", "spot", "bunny"):
         surface = read(name)
-        if name == "tetrahedron":
+        if name == "our-tetrahedron":
             name, surface = "stretched tetrahedron", stretched(surface, (1.8, 1.0, 0.3))
         settings = dict(Roundness=5.0, NormalBlend=1.0, OutputPointsPrecision=2)
         rest, before = measures(surface, surface), measures(style(surface, **settings).GetOutput(), surface)
