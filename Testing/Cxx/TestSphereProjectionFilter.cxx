@@ -186,6 +186,16 @@ void AllPoints(Checker& check)
       Contains(custom.Warnings[0], "point " + Text(middle)),
     "with a warning that counts it");
 
+  check.About("coordinates of 1e299");
+  Watched<FilterType> huge(Mapped(MakeModel(),
+    [](const Vector& x) {
+      return Vector{ 1e299 * x[0], 1e299 * x[1], 1e299 * x[2] };
+    }));
+  huge->SetCenterModeToAreaCentroid();
+  check(huge.Output()->GetNumberOfPoints() == 0 && huge.Errors.size() == 1 &&
+      Contains(huge.Errors[0], "must be finite"),
+    "areas have no number there" + Joined(huge.Errors));
+
   check.About("all points at one place");
   const Surface same = MakeSurface({ { 1, 2, 3 }, { 1, 2, 3 }, { 1, 2, 3 } }, { { 0, 1, 2 } });
   Watched<FilterType> still(same);

@@ -108,6 +108,17 @@ void Errors(Checker& check)
     with(other), back);
   const Surface flat = Mapped(MakeModel(), [](const Vector&) { return Vector{ 0, 0, 0 }; });
   ExpectError(check, "a reference without an area", { "Reference", "area" }, with(flat), back);
+  for (const double size : { 1e299, 1e-299 })
+  {
+    check.About("coordinates of " + vtkVariant(size).ToString());
+    WatchedMetrics m(Mapped(MakeModel(),
+      [size](const Vector& x) {
+        return Vector{ size * x[0], size * x[1], size * x[2] };
+      }));
+    check(m.Output()->GetNumberOfPoints() == 0 && m.Errors.size() == 1 &&
+        Contains(m.Errors[0], "must be above zero and finite"),
+      "areas have no number there" + Joined(m.Errors));
+  }
 }
 
 void Empty(Checker& check)
