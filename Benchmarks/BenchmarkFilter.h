@@ -41,7 +41,8 @@ inline vtkSmartPointer<vtkPolyData> ToPolyData(const SphericalStyle::TriangleMes
   return surface;
 }
 
-/// E after the start and after each iteration, and E_0 of the unmoved model.
+/// E after the start and after each iteration, and E_0 of the unmoved model. None, and 0, where
+/// nothing was minimised.
 struct Energies
 {
   explicit Energies(vtkSphericalStyleFilter* filter)
@@ -53,7 +54,7 @@ struct Energies
       this->Totals.push_back(total->GetComponent(k, 0));
     }
     auto* change = vtkDataArray::SafeDownCast(table->GetColumnByName("GlobalChange"));
-    this->Rest = this->Totals.front() - change->GetComponent(0, 0);
+    this->Rest = this->Totals.empty() ? 0.0 : this->Totals.front() - change->GetComponent(0, 0);
   }
 
   std::vector<double> Totals;

@@ -8,18 +8,18 @@ namespace
 {
 constexpr const char* Usage =
   "usage: RoundMesh MESH [options]\n"
-  "  --detail-size S, --roundness L, --weighting cotangent|uniform, --tolerance T, --threads N,\n"
-  "  --acceleration 0|1, --linear-solver 0..3  as the properties of the filter\n"
+  "  --detail-size S, --roundness L, --normal-blend A, --weighting cotangent|uniform,\n"
+  "  --tolerance T, --threads N, --acceleration 0|1  as the properties of the filter\n"
   "  --iterations N      exactly N iterations instead of the stop rule";
 
 void SetUp(vtkSphericalStyleFilter* filter, const Benchmarks::Arguments& arguments)
 {
   filter->SetDetailSize(arguments.Number("--detail-size"));
   filter->SetRoundness(arguments.Number("--roundness"));
+  filter->SetNormalBlend(arguments.Number("--normal-blend"));
   filter->SetTolerance(arguments.Number("--tolerance"));
   filter->SetNumberOfThreads(arguments.Integer("--threads"));
   filter->SetAcceleration(arguments.Integer("--acceleration") != 0);
-  filter->SetLinearSolver(arguments.Integer("--linear-solver"));
   filter->SetMaximumNumberOfIterations(1000);
   if (arguments.Text("--weighting") == "uniform")
   {
@@ -39,9 +39,9 @@ int main(int argc, char* argv[])
     [&]
     {
       const Benchmarks::Arguments arguments(argc, argv,
-        { { "--detail-size", "0" }, { "--roundness", "0.5" }, { "--weighting", "cotangent" },
-          { "--tolerance", "1e-4" }, { "--threads", "1" }, { "--acceleration", "1" },
-          { "--linear-solver", "0" }, { "--iterations", "0" } });
+        { { "--detail-size", "0.06" }, { "--roundness", "1" }, { "--normal-blend", "0.6" },
+          { "--weighting", "cotangent" }, { "--tolerance", "1e-4" }, { "--threads", "1" },
+          { "--acceleration", "1" }, { "--iterations", "0" } });
       const double atStart = Benchmarks::PeakMegabytes();
       const auto surface = Benchmarks::ToPolyData(Benchmarks::ReadMesh(arguments.At(0)));
       vtkNew<vtkSphericalStyleFilter> filter;

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The stages of the solver, each through its public header, on the default energy with DetailSize
-// 0.03, which has all terms. "bytes" is what the stage has to read and write at least: points,
+// The stages of the method in closed form with DetailSize 0.03, and of the energy, each through its
+// public header. "bytes" is what a stage of the energy has to read and write at least: points,
 // triangles, one weight a half-edge, rotations and covariances, each once.
-#include "BaseSurface.h"
 #include "BenchmarkProgram.h"
 #include "Frame.h"
 #include "GlobalStep.h"
+#include "LimbThickness.h"
 #include "LocalStep.h"
+#include "SphericalStyleMethod.h"
 #include "Stages.h"
-#include "StyleSolver.h"
 #include "SupernodalPattern.h"
 #include "SurfaceMeasures.h"
 
@@ -38,9 +38,7 @@ struct StageData
     const Points& P = this->Mesh.P;
     const Triangles& F = this->Mesh.F;
     this->Cotangents = HalfEdgeCotangents(P, F);
-    this->Base = SmoothBase(P, this->Topology, this->Cotangents, DetailSize, PointAreas(P, F));
-    this->Ball = TargetSphere(this->Base, F, CenterMode::AreaCentroid, RadiusMode::EqualArea, {});
-    this->Details = P - this->Base;
+    this->Ball = TargetSphere(P, F, CenterMode::AreaCentroid, RadiusMode::EqualArea, {});
     this->UpdateTargets();
     this->Energy = this->MakeEnergy(1);
     const EdgeWeights& weights = this->Energy.GetWeights();
@@ -62,13 +60,14 @@ struct StageData
   void UpdateTargets()
   {
     std::vector<int> onCenter;
-    this->Directions = CenterDirections(this->Base, this->Topology, this->Ball.center, onCenter);
+    this->Directions =
+      CenterDirections(this->Mesh.P, this->Topology.GetTriangles(), this->Ball.center, onCenter);
   }
 
   StyleEnergy MakeEnergy(int threads) const
   {
     StyleEnergy energy(this->Topology, this->Weights(), HalfEdgeField(this->Mesh.P),
-      HalfEdgeField(this->Details), HalfEdgeField(this->Directions, this->Ball.radius), threads);
+      HalfEdgeField(this->Directions, this->Ball.radius), threads);
     energy.PrepareSteps(this->Cells);
     return energy;
   }
@@ -100,8 +99,6 @@ struct StageData
   CellPattern Cells;
   Eigen::VectorXd Lambda;
   HalfEdgeScalars Cotangents;
-  Points Base;
-  Points Details;
   Points Directions;
   Sphere Ball;
   StyleEnergy Energy;
@@ -214,15 +211,71 @@ void Weights(benchmark::State& state, StageData& data, int)
   Report(state, data, 0.0, HashOf(weights.l));
 }
 
-void Base(benchmark::State& state, StageData& data, int)
+void Splat(benchmark::State& state, StageData& data, int threads)
 {
-  const Eigen::VectorXd areas = PointAreas(data.Mesh.P, data.Mesh.F);
+  SurfaceGrid grid;
+  while (state.KeepRunning())
+  {
+    grid = SurfaceGrid(data.Mesh.P, data.Mesh.F, DetailSize, threads);
+  }
+  Report(state, data, 0.0, HashOf(grid.GetWeights()));
+}
+
+void Walls(benchmark::State& state, StageData& data, int threads)
+{
+  const SurfaceGrid grid(data.Mesh.P, data.Mesh.F, DetailSize, threads);
+  std::vector<GridPair> walls;
+  while (state.KeepRunning())
+  {
+    walls = FindWalls(grid, data.Mesh.P, data.Mesh.F, threads);
+  }
+  Report(state, data, 0.0, Hash(walls.data(), walls.size() * sizeof(GridPair)));
+}
+
+/// The base from the factor of the grid on, as a new detail size needs it.
+void Base(benchmark::State& state, StageData& data, int threads)
+{
+  SurfaceGrid grid(data.Mesh.P, data.Mesh.F, DetailSize, threads);
   Points base;
   while (state.KeepRunning())
   {
-    base = SmoothBase(data.Mesh.P, data.Topology, data.Cotangents, DetailSize, areas);
+    grid.Factor({}, threads);
+    const Fields once = grid.Smooth(grid.GetPlaces(), threads);
+    const Fields twice = grid.Smooth(grid.AtSamples(once, threads), threads);
+    base = grid.AtPoints(twice, data.Mesh.P, threads);
   }
   Report(state, data, 0.0, HashOf(base));
+  state.counters["functions"] = grid.GetNumberOfFunctions();
+}
+
+void Limbs(benchmark::State& state, StageData& data, int threads)
+{
+  Eigen::VectorXd thickness;
+  while (state.KeepRunning())
+  {
+    thickness = LimbThickness(data.Mesh.P, data.Mesh.P, data.Mesh.F, data.Ball.radius, threads);
+  }
+  Report(state, data, 0.0, HashOf(thickness));
+}
+
+/// What a new Roundness redoes.
+void Carry(benchmark::State& state, StageData& data, int threads)
+{
+  ClosedFormStyle style;
+  style.SetMesh(data.Mesh.P, data.Mesh.F);
+  ClosedFormOptions options;
+  options.detailSize = DetailSize;
+  options.threads = threads;
+  style.Solve(options);
+  double lambda = Roundness;
+  while (state.KeepRunning())
+  {
+    options.lambda = lambda += 1e-3;
+    style.Solve(options);
+  }
+  options.lambda = Roundness;
+  style.Solve(options);
+  Report(state, data, 0.0, HashOf(style.GetPositions()));
 }
 
 void Targets(benchmark::State& state, StageData& data, int)
@@ -317,8 +370,8 @@ void Covariances(benchmark::State& state, StageData& data, int threads)
     energy.Covariances(data.Q, S);
     benchmark::ClobberMemory();
   }
-  // P, B, t, P'; S
-  Report(state, data, data.Bytes(4, 1), Hash(S.data(), S.size() * sizeof(S[0])));
+  // P, t, P'; S
+  Report(state, data, data.Bytes(3, 1), Hash(S.data(), S.size() * sizeof(S[0])));
 }
 
 void Rotations(benchmark::State& state, StageData& data, int threads)
@@ -341,8 +394,8 @@ void LocalStep(benchmark::State& state, StageData& data, int threads)
   {
     benchmark::DoNotOptimize(energy.FitRotations(data.Q, R));
   }
-  // P, B, t, P'; R old and new
-  Report(state, data, data.Bytes(4, 2), Hash(R.data(), R.size() * sizeof(R[0])));
+  // P, t, P'; R old and new
+  Report(state, data, data.Bytes(3, 2), Hash(R.data(), R.size() * sizeof(R[0])));
 }
 
 void PrepareSteps(benchmark::State& state, StageData& data, int threads)
@@ -366,8 +419,8 @@ void RightHandSide(benchmark::State& state, StageData& data, int threads)
     energy.RightHandSide(data.R, b);
     benchmark::ClobberMemory();
   }
-  // P, B, t; R; b
-  Report(state, data, data.Bytes(4, 1), HashOf(b));
+  // P, t; R; b
+  Report(state, data, data.Bytes(3, 1), HashOf(b));
 }
 
 void Value(benchmark::State& state, StageData& data, int threads)
@@ -379,8 +432,8 @@ void Value(benchmark::State& state, StageData& data, int threads)
     total = energy.Evaluate(data.Q, data.R).Total();
     benchmark::DoNotOptimize(total);
   }
-  // P, B, t, P'; R
-  Report(state, data, data.Bytes(4, 1), Hash(&total, sizeof total));
+  // P, t, P'; R
+  Report(state, data, data.Bytes(3, 1), Hash(&total, sizeof total));
 }
 
 void Iteration(benchmark::State& state, StageData& data, int threads)
@@ -399,26 +452,26 @@ void Iteration(benchmark::State& state, StageData& data, int threads)
 }
 
 //------------------------------------------------------------------------------ the whole solver
-void Whole(benchmark::State& state, const StageData& data, const StyleOptions& options)
+void Whole(benchmark::State& state, const StageData& data, const MethodOptions& options)
 {
   Points Q;
   int iterations = 0;
   while (state.KeepRunning())
   {
-    StyleSolver solver;
-    solver.SetMesh(data.Mesh);
-    iterations = solver.Solve(options).loop.iterations;
+    SphericalStyleMethod method;
+    method.SetMesh(data.Mesh);
+    iterations = method.Solve(options).loop.iterations;
     state.PauseTiming();
-    Q = solver.GetPositions();
+    Q = method.GetPositions();
     state.ResumeTiming();
   }
   Report(state, data, 0.0, HashOf(Q));
   state.counters["iterations"] = iterations;
 }
 
-StyleOptions Options(double detailSize, SphericalWeighting weighting)
+MethodOptions Options(double detailSize, SphericalWeighting weighting)
 {
-  StyleOptions options;
+  MethodOptions options;
   options.lambda = Roundness;
   options.centerMode = CenterMode::AreaCentroid;
   options.detailSize = detailSize;
@@ -431,7 +484,8 @@ void RegisterSolverStages(const MeshKey& key, int threads)
 {
   using Body = void (*)(benchmark::State&, StageData&, int);
   const std::pair<const char*, Body> stages[] = { { "Topology", Topology },
-    { "Cotangents", Cotangents }, { "Weights", Weights }, { "Base", Base }, { "Targets", Targets },
+    { "Cotangents", Cotangents }, { "Weights", Weights }, { "Splat", Splat }, { "Walls", Walls },
+    { "Base", Base }, { "Limbs", Limbs }, { "Carry", Carry }, { "Targets", Targets },
     { "PrepareSteps", PrepareSteps }, { "Matrix", Matrix }, { "Ordering", Ordering },
     { "Factorization", Factorization }, { "Covariances", Covariances }, { "Rotations", Rotations },
     { "LocalStep", LocalStep }, { "RightHandSide", RightHandSide },
@@ -442,14 +496,14 @@ void RegisterSolverStages(const MeshKey& key, int threads)
   {
     Register(name, key, threads, body);
   }
-  const std::pair<const char*, StyleOptions> wholes[] = {
+  const std::pair<const char*, MethodOptions> wholes[] = {
     { "Solver:default", Options(0.0, SphericalWeighting::Cotangent) },
     { "Solver:details", Options(DetailSize, SphericalWeighting::Cotangent) },
     { "Solver:uniform", Options(0.0, SphericalWeighting::Uniform) }
   };
   for (const auto& [name, given] : wholes)
   {
-    StyleOptions options = given;
+    MethodOptions options = given;
     options.threads = threads;
     Register(name, key, threads,
       [options](benchmark::State& state, const StageData& data, int)

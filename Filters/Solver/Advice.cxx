@@ -27,8 +27,6 @@ constexpr double ObtuseLimit = 0.2;
 constexpr double AreaFactorLimit = 2.0;
 /// Bodies with limbs have 0.1 to 0.22, assemblies and what curls around its center 0.4 or more.
 constexpr double FacingAwayLimit = 0.3;
-/// Scans have none, the cut stem of a vase 17 %, drawings of cars and devices half and more.
-constexpr double LongEdgeLimit = 0.1;
 /// As much bent in and out again as a ball is bent; animals have 9 or more, a box 1.
 constexpr double CurvatureLimit = 2.0;
 /// Less than that and a face is no longer read: lambda 1.2 with one center.
@@ -161,31 +159,52 @@ bool UsesNormals(const StyleOptions& o)
 }
 }
 
+double LongEdgeShare(const TriangleMesh& mesh)
+{
+  if (mesh.F.rows() == 0)
+  {
+    return 0.0;
+  }
+  const Points P = AtUnitSize(mesh.P);
+  const double long2 =
+    LongEdge * LongEdge * (P.colwise().maxCoeff() - P.colwise().minCoeff()).squaredNorm();
+  double all = 0.0;
+  double coarse = 0.0;
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+  {
+    const Eigen::Vector3d a = P.row(mesh.F(f, 0));
+    const Eigen::Vector3d ab = P.row(mesh.F(f, 1)).transpose() - a;
+    const Eigen::Vector3d ac = P.row(mesh.F(f, 2)).transpose() - a;
+    const double area = ab.cross(ac).norm();
+    all += area;
+    coarse += std::max({ ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm() }) >= long2
+      ? area
+      : 0.0;
+  }
+  return all > 0.0 ? coarse / all : 0.0;
+}
+
 SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components)
 {
   const Points& P = mesh.P;
   const Triangles& F = mesh.F;
-  const double diagonal = (P.colwise().maxCoeff() - P.colwise().minCoeff()).norm();
   const Eigen::VectorXd areas = TriangleAreas(P, F);
   SurfaceFacts facts;
   Eigen::VectorXd angleSums = Eigen::VectorXd::Zero(P.rows());
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
-    double longest = 0.0;
     bool obtuse = false;
     for (int k = 0; k < 3; ++k)
     {
       const Eigen::Vector3d x = P.row(F(f, HalfEdgeStart(k))) - P.row(F(f, k));
       const Eigen::Vector3d y = P.row(F(f, HalfEdgeEnd(k))) - P.row(F(f, k));
-      longest = std::max(longest, x.norm());
       obtuse |= x.dot(y) < -RightAngle * x.norm() * y.norm();
       angleSums(F(f, k)) += std::atan2(2.0 * areas(f), x.dot(y));
     }
     facts.obtuseShare += obtuse;
-    facts.longEdgeShare += longest >= LongEdge * diagonal ? areas(f) : 0.0;
   }
   facts.obtuseShare /= static_cast<double>(F.rows());
-  facts.longEdgeShare /= areas.sum();
+  facts.longEdgeShare = LongEdgeShare(mesh);
   facts.areaFactor = std::exp(LogSpread(areas));
   facts.curvature = AbsoluteCurvature(mesh, angleSums);
   facts.components = components;
@@ -193,10 +212,11 @@ SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components)
 }
 
 ResultFacts MeasureResult(
-  const TriangleMesh& mesh, const Points& Q, const StyleOptions& o, const StyleReport& report)
+  const TriangleMesh& mesh, const Points& Q, const MethodOptions& o, const StyleReport& report)
 {
   ResultFacts facts;
-  if (report.spheres.size() == 1) // several need not be star-shaped around any
+  // Several need not be star-shaped around any; with normals limbs are round by themselves.
+  if (report.spheres.size() == 1 && (!UsesNormals(o) || o.centerMode == CenterMode::Custom))
   {
     MeasureCenter(mesh, report.sphere.center, o.threads, facts);
   }
@@ -206,12 +226,15 @@ ResultFacts MeasureResult(
     facts.turnedOverShare = static_cast<double>(CountTurnedOver(mesh.P, Q, mesh.F, R)) /
       static_cast<double>(mesh.F.rows());
   }
-  facts.relief = MeasureRelief(mesh, Q, o, report);
+  if (o.detailSize == 0.0)
+  {
+    facts.relief = MeasureRelief(mesh, Q, o, report);
+  }
   return facts;
 }
 
 std::string Advise(
-  const StyleOptions& o, const SurfaceFacts& surface, const ResultFacts& result, bool withCgal)
+  const MethodOptions& o, const SurfaceFacts& surface, const ResultFacts& result, bool withCgal)
 {
   const bool turned = result.turnedOverShare >= TurnedOverLimit;
   const std::string turnedOver = Percent(result.turnedOverShare) + " of the triangles turned over";
@@ -240,12 +263,12 @@ std::string Advise(
     { uniform && surface.areaFactor >= AreaFactorLimit,
       "SphericalWeighting Cotangent: areas of triangles differ by a factor of " +
         std::to_string(std::lround(surface.areaFactor)) },
-    { surface.longEdgeShare >= LongEdgeLimit,
+    { surface.longEdgeShare >= CoarseShare,
       "RefineLongEdges: " + Percent(surface.longEdgeShare) +
         " of the area has edges above a tenth of the diagonal" },
     { o.detailSize == 0.0 && surface.curvature >= CurvatureLimit && result.relief < ReliefLimit,
-      "DetailSize 0.03: details keep " + Percent(result.relief) + " of their height" },
-    { facingAway,
+      "DetailSize 0.06: details keep " + Percent(result.relief) + " of their height" },
+    { facingAway && !UsesNormals(o),
       "several centers (center ids): " + Percent(result.facingAwayShare) +
         " of the surface faces away from the center" },
   };

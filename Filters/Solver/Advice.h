@@ -5,7 +5,7 @@
 #ifndef SphericalStyle_Advice_h
 #define SphericalStyle_Advice_h
 
-#include "StyleSolver.h"
+#include "SphericalStyleMethod.h"
 
 #include <string>
 
@@ -21,6 +21,11 @@ struct SurfaceFacts
   int components = 0;
 };
 constexpr double LongEdge = 0.1;
+/// From this longEdgeShare on a model has coarse panels. Scans have none, the cut stem of a vase 17
+/// %, drawings of cars and devices half and more.
+constexpr double CoarseShare = 0.1;
+/// SurfaceFacts::longEdgeShare alone; 0 without triangles.
+double LongEdgeShare(const TriangleMesh& mesh);
 /// @param components  of the mesh: StyleReport::components
 SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components);
 
@@ -28,21 +33,23 @@ SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components);
 struct ResultFacts
 {
   bool centerOutside = false;   ///< O lies outside of a closed surface
-  double facingAwayShare = 0.0; ///< area whose normal at rest points toward O, of all
+  double facingAwayShare = 0.0; ///< area whose normal at rest points toward O, of all; with normals
+                                ///< in play only looked for around a center of one's own
   /// Triangles turned over, of all; only looked for where as many have turned by a right angle.
   double turnedOverShare = 0.0;
-  /// How much the distance from O still varies along the edges: rms after over before.
+  /// How much the distance from O still varies along the edges: rms after over before. Looked for
+  /// where no details are kept.
   double relief = 1.0;
 };
 /// @param Q  the points of the result @param o, report  those of the solve that led there
 ResultFacts MeasureResult(
-  const TriangleMesh& mesh, const Points& Q, const StyleOptions& o, const StyleReport& report);
+  const TriangleMesh& mesh, const Points& Q, const MethodOptions& o, const StyleReport& report);
 
 /// The one change that helps most, and the fact that says so, as "Property Value: fact", in one
 /// line. Empty where nothing is to be said, as with lambda 0.
 /// @param withCgal  whether what needs CGAL is there to be advised
 std::string Advise(
-  const StyleOptions& o, const SurfaceFacts& surface, const ResultFacts& result, bool withCgal);
+  const MethodOptions& o, const SurfaceFacts& surface, const ResultFacts& result, bool withCgal);
 } // namespace SphericalStyle
 
 #endif

@@ -28,7 +28,7 @@ private:
   std::vector<int> Neighbors;
 };
 
-/// The pulls g_h = c_h e_h + l_h delta_h of [energy], added up. With d_k the pull of the half-edge
+/// The pulls g_h = c_h e_h + l_h tau_h of [energy], added up. With d_k the pull of the half-edge
 /// that starts at corner k of a triangle less that of the one that ends there, and
 ///
 ///     w_yj = sum over the triangles at y and j of d at j,
@@ -48,8 +48,6 @@ public:
   /// @param pulls  g of the three half-edges of a triangle, as columns, length
   CellPulls(const CellPattern& pattern, const MeshTopology& topology,
     const std::function<Eigen::Matrix3d(int triangle)>& pulls, int threads);
-
-  bool IsEmpty() const { return this->Own.rows() == 0; }
 
   /// S_y of the points begin..end-1. @param Q  n x 3 @param S  9 numbers for each, column-major,
   /// and room for one more

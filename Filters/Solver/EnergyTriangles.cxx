@@ -3,7 +3,7 @@
 #include "EnergyTriangles.h"
 
 #include "IntrinsicDelaunay.h"
-#include "WallStitches.h"
+#include "Stitches.h"
 
 #include <utility>
 
@@ -11,27 +11,6 @@ namespace SphericalStyle
 {
 namespace
 {
-/// The stitches that the options ask for; triangles takes how many there are.
-std::vector<Stitch> StitchesOf(const Points& P, const MeshTopology& surface,
-  const EnergyTriangleOptions& options, EnergyTriangles& triangles)
-{
-  const Triangles& F = surface.GetTriangles();
-  std::vector<Stitch> stitches;
-  if (options.stitched)
-  {
-    stitches = FindStitches(P, F, surface.GetComponents());
-  }
-  const std::size_t between = stitches.size();
-  if (options.wallSize > 0.0)
-  {
-    const std::vector<Stitch> walls = FindWallStitches(P, F, options.wallSize, options.threads);
-    stitches.insert(stitches.end(), walls.begin(), walls.end());
-  }
-  triangles.NumberOfStitches = static_cast<int>(stitches.size());
-  triangles.NumberOfWallStitches = static_cast<int>(stitches.size() - between);
-  return stitches;
-}
-
 /// A pair of triangles a stitch, after the others.
 void AddStitches(const std::vector<Stitch>& stitches, Triangles& F, HalfEdgeScalars& cotangents)
 {
@@ -45,7 +24,7 @@ void AddStitches(const std::vector<Stitch>& stitches, Triangles& F, HalfEdgeScal
     F.row(f + 1) << s.v, s.u, s.u;
     for (const Eigen::Index end = f + 2; f < end; ++f)
     {
-      cotangents.row(f) << 0.0, 0.5 * s.weight, 0.5 * s.weight;
+      cotangents.row(f) << 0.0, 0.5 * StitchWeight, 0.5 * StitchWeight;
     }
   }
 }
@@ -66,7 +45,14 @@ bool UpdateEnergyTriangles(const Points& P, const EnergyTriangles& surface,
     triangles.NumberOfFlips = intrinsic.NumberOfFlips;
     triangles.NumberOfNegativeEdges = intrinsic.NumberOfNegativeEdges;
   }
-  AddStitches(StitchesOf(P, surface.Topology, options, triangles), F, triangles.Cotangents);
+  triangles.NumberOfStitches = 0;
+  if (options.stitched)
+  {
+    const std::vector<Stitch> stitches =
+      FindStitches(P, surface.Topology.GetTriangles(), surface.Topology.GetComponents());
+    AddStitches(stitches, F, triangles.Cotangents);
+    triangles.NumberOfStitches = static_cast<int>(stitches.size());
+  }
   const Triangles& before = triangles.Topology.GetTriangles();
   if (triangles.Topology.GetNumberOfPoints() == P.rows() && before.rows() == F.rows() &&
     before == F)

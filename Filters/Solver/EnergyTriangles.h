@@ -23,10 +23,7 @@ struct EnergyTriangles
   /// @}
   /// A stitch uv is a pair of triangles (u, v, v) and (v, u, u), after all others: an edge in the
   /// cells of its two ends only [stitch]. Their edge uv comes twice: each half-edge counts half.
-  /// Those between parts come first, then those through walls [wall]. @{
-  int NumberOfStitches = 0; ///< of both kinds
-  int NumberOfWallStitches = 0;
-  /// @}
+  int NumberOfStitches = 0;
 };
 
 /// What the energy's triangles depend on besides the mesh.
@@ -34,20 +31,13 @@ struct EnergyTriangleOptions
 {
   bool intrinsicDelaunay = false; ///< the triangles of IntrinsicDelaunay
   bool stitched = false;          ///< parts are joined [stitch]
-  /// s: walls thinner than 2 s are joined [wall], fraction of the diagonal; 0: none are
-  double wallSize = 0.0;
-  int threads = 1; ///< the result is the same for any number
 
   bool operator==(const EnergyTriangleOptions& other) const
   {
-    return this->intrinsicDelaunay == other.intrinsicDelaunay && this->stitched == other.stitched &&
-      this->wallSize == other.wallSize;
+    return this->intrinsicDelaunay == other.intrinsicDelaunay && this->stitched == other.stitched;
   }
   /// Whether the energy is summed over the surface's own triangles.
-  bool KeepSurface() const
-  {
-    return !this->intrinsicDelaunay && !this->stitched && this->wallSize == 0.0;
-  }
+  bool KeepSurface() const { return !this->intrinsicDelaunay && !this->stitched; }
 };
 
 /// Makes the energy's triangles from the surface's, unless options.KeepSurface().

@@ -12,7 +12,7 @@
 
 namespace SphericalStyle
 {
-/// Rest edges, details and targets of one center are differences x_u - x_v of a field of the
+/// Rest edges and targets of one center are differences x_u - x_v of a field of the
 /// points: those are worked out where they are needed, from a third of the memory of what they
 /// would take up. Targets of several centers and changed ones are vectors of their own.
 class HalfEdgeField
@@ -26,7 +26,7 @@ public:
     , Scale(scale)
   {
   }
-  /// @param vectors  m x 9; no rows: no vectors
+  /// @param vectors  m x 9
   HalfEdgeField(HalfEdgeVectors vectors)
     : Vectors(std::move(vectors))
   {
@@ -34,7 +34,6 @@ public:
 
   /// Whether it is the difference of a field of the points.
   bool IsDifference() const { return this->Potential != nullptr; }
-  bool IsEmpty() const { return !this->Potential && this->Vectors.rows() == 0; }
 
   /// The three vectors of triangle f as columns.
   Eigen::Matrix3d Of(const Triangles& F, Eigen::Index f) const

@@ -4,7 +4,6 @@
 
 #include "AndersonAcceleration.h"
 #include "Parallel.h"
-#include "Stopwatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -146,14 +145,8 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
   Points before;
   Points image;
   Points mixed;
-  const Stopwatch watch;
   while (!report.converged && report.iterations < options.maximumNumberOfIterations)
   {
-    if (options.timeBudget > 0.0 && report.iterations > 0 && watch.Seconds() >= options.timeBudget)
-    {
-      report.outOfTime = true;
-      break;
-    }
     HistoryRow row;
     row.iteration = ++report.iterations;
     before = Q;
@@ -202,7 +195,7 @@ LoopReport RunLocalGlobal(TwoStepEnergy& problem, const Points& rest, double res
   }
   if (options.stopRule == StopRule::FixedIterations)
   {
-    report.converged = !report.aborted && !report.outOfTime;
+    report.converged = !report.aborted;
   }
   return report;
 }

@@ -24,7 +24,6 @@ struct LoopOptions
   double tolerance = 1e-4; ///< of Converged
   int maximumNumberOfIterations = 200;
   bool acceleration = true;
-  double timeBudget = 0.0; ///< seconds after which no second iteration is begun; 0 for none
   int threads = 1;
 };
 
@@ -45,7 +44,6 @@ struct LoopReport
   int iterations = 0;
   bool converged = false;
   bool aborted = false;
-  bool outOfTime = false;  ///< the time budget was used up
   double restEnergy = 0.0; ///< E_0: the unmoved model; with fixed points, of the blend if more
   double negligible = 0.0; ///< energies below this are zero
   std::vector<HistoryRow> history;

@@ -20,7 +20,6 @@ struct Stitch
 {
   int u;
   int v;
-  double weight = StitchWeight; ///< c_h
 };
 
 /// Joins the parts of a model by its rest positions: few edges where parts touch or lie nearest,

@@ -35,12 +35,11 @@ double Misfit(const Eigen::Matrix3d& E, const Eigen::Matrix3d& R, const Eigen::M
 }
 
 StyleEnergy::StyleEnergy(const MeshTopology& topology, EdgeWeights weights, HalfEdgeField e,
-  HalfEdgeField delta, HalfEdgeField f, int threads)
+  HalfEdgeField tau, int threads)
   : Topology(&topology)
   , Weights(std::move(weights))
   , Edges(std::move(e))
-  , TurningTargets(std::move(delta))
-  , FixedTargets(std::move(f))
+  , Targets(std::move(tau))
   , Threads(threads)
 {
   const Triangles& F = topology.GetTriangles();
@@ -53,99 +52,23 @@ StyleEnergy::StyleEnergy(const MeshTopology& topology, EdgeWeights weights, Half
         const auto sizes = [&](const HalfEdgeField& x)
         { return x.Of(F, t).colwise().squaredNorm().eval(); };
         sum += this->Weights.c.row(t).cwiseAbs().dot(sizes(this->Edges));
-        sum += this->Weights.l.row(t).cwiseAbs().dot(sizes(this->TurningTargets));
-        if (this->HasFixedTargets())
-        {
-          sum += this->Weights.l.row(t).cwiseAbs().dot(sizes(this->FixedTargets));
-        }
+        sum += this->Weights.l.row(t).cwiseAbs().dot(sizes(this->Targets));
       }
       return 3.0 * sum;
     });
 }
 
-namespace
-{
-/// What the sums of fixed targets read.
-struct FixedArrays
-{
-  const int* F;
-  const int* cornerOffset; // by point
-  const int* corners;
-  HalfEdgeField::Reader delta;
-  HalfEdgeField::Reader f;
-  const double* l; // three for each triangle
-};
-
-/// For the points begin..end-1: sum_{f at y} sum_h l delta f^T, and what 3 l f adds to b.
-SPHERICALSTYLE_PER_INSTRUCTION_SET
-void SumFixedTargets(const FixedArrays& a, int begin, int end, double* covariances, double* pulls)
-{
-  for (int y = begin; y < end; ++y)
-  {
-    Vector4 columns[3] = {};
-    Vector4 pull = {};
-    for (int at = a.cornerOffset[y]; at < a.cornerOffset[y + 1]; ++at)
-    {
-      const int t = a.corners[at] / 3;
-      const int k = a.corners[at] % 3;
-      const int* corner = a.F + 3 * static_cast<std::ptrdiff_t>(t);
-      Vector4 delta[3];
-      Vector4 f[3];
-      a.delta.Read(corner, t, delta);
-      a.f.Read(corner, t, f);
-      for (int h = 0; h < 3; ++h)
-      {
-        f[h] *= a.l[3 * static_cast<std::ptrdiff_t>(t) + h];
-        for (int c = 0; c < 3; ++c)
-        {
-          columns[c] += delta[h] * f[h][c];
-        }
-      }
-      // Corner k starts half-edge k + 2 and ends half-edge k + 1.
-      pull += 3.0 * (f[(k + 2) % 3] - f[(k + 1) % 3]);
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        covariances[9 * static_cast<std::ptrdiff_t>(y) + 3 * c + k] = columns[c][k];
-      }
-      pulls[3 * static_cast<std::ptrdiff_t>(y) + k] = pull[k];
-    }
-  }
-}
-}
-
-void StyleEnergy::PrepareSteps(const CellPattern& pattern, CellPulls pulls)
+void StyleEnergy::PrepareSteps(const CellPattern& pattern)
 {
   const Triangles& F = this->Topology->GetTriangles();
-  this->Pulls = std::move(pulls);
-  if (this->Pulls.IsEmpty())
-  {
-    this->Pulls = CellPulls(
-      pattern, *this->Topology,
-      [&](int t) -> Eigen::Matrix3d
-      {
-        return this->Edges.Of(F, t) * this->Weights.c.row(t).asDiagonal() +
-          this->TurningTargets.Of(F, t) * this->Weights.l.row(t).asDiagonal();
-      },
-      this->Threads);
-  }
-  if (!this->HasFixedTargets())
-  {
-    return;
-  }
-  const int n = this->Topology->GetNumberOfPoints();
-  this->FixedCovariances.resize(9 * static_cast<std::size_t>(n));
-  this->FixedPulls.resize(n, 3);
-  using Reader = HalfEdgeField::Reader;
-  const FixedArrays arrays = { F.data(), this->Topology->GetCornerOffset().data(),
-    this->Topology->GetCorners().data(), Reader(this->TurningTargets), Reader(this->FixedTargets),
-    this->Weights.l.data() };
-  ParallelFor(n, this->Threads,
-    [&](int begin, int end) {
-      SumFixedTargets(arrays, begin, end, this->FixedCovariances.data(), this->FixedPulls.data());
-    });
+  this->Pulls = CellPulls(
+    pattern, *this->Topology,
+    [&](int t) -> Eigen::Matrix3d
+    {
+      return this->Edges.Of(F, t) * this->Weights.c.row(t).asDiagonal() +
+        this->Targets.Of(F, t) * this->Weights.l.row(t).asDiagonal();
+    },
+    this->Threads);
 }
 
 namespace
@@ -157,9 +80,7 @@ struct ResidualArrays
   const double* R;               // by point
   HalfEdgeField::Reader current; // e'
   HalfEdgeField::Reader e;
-  HalfEdgeField::Reader delta;
-  HalfEdgeField::Reader f;
-  bool hasFixed;
+  HalfEdgeField::Reader tau;
   const double* c; // three for each triangle
   const double* l;
 };
@@ -177,24 +98,18 @@ void SumResiduals(const ResidualArrays& a, int begin, int end, EnergyTerms& ener
       LoadColumns(a.R + 9 * static_cast<std::ptrdiff_t>(corner[2])) };
     Vector4 current[3];
     Vector4 e[3];
-    Vector4 delta[3];
-    Vector4 fixed[3] = {};
+    Vector4 tau[3];
     a.current.Read(corner, t, current);
     a.e.Read(corner, t, e);
-    a.delta.Read(corner, t, delta);
-    if (a.hasFixed)
-    {
-      a.f.Read(corner, t, fixed);
-    }
+    a.tau.Read(corner, t, tau);
     for (int k = 0; k < 3; ++k)
     {
-      const Vector4 base = current[k] - fixed[k];
       Vector4 rigidSquares = {};
       Vector4 sphericalSquares = {};
       for (const Columns4& rotation : R)
       {
         const Vector4 u = current[k] - rotation * e[k];
-        const Vector4 v = base - rotation * delta[k];
+        const Vector4 v = current[k] - rotation * tau[k];
         rigidSquares += u * u;
         sphericalSquares += v * v;
       }
@@ -239,25 +154,17 @@ void SumResidualsOfDifferences(const ResidualArrays& a, int begin, int end, Ener
     const int* corner = a.F + 3 * static_cast<std::ptrdiff_t>(t);
     Vector4 current[2];
     Vector4 e[2];
-    Vector4 delta[2];
+    Vector4 tau[2];
     a.current.ReadFromLast(corner, current);
     a.e.ReadFromLast(corner, e);
-    a.delta.ReadFromLast(corner, delta);
-    Vector4 base[2] = { current[0], current[1] };
-    if (a.hasFixed)
-    {
-      Vector4 fixed[2];
-      a.f.ReadFromLast(corner, fixed);
-      base[0] -= fixed[0];
-      base[1] -= fixed[1];
-    }
+    a.tau.ReadFromLast(corner, tau);
     Squares rigidSquares;
     Squares sphericalSquares;
     for (int y = 0; y < 3; ++y)
     {
       const Columns4 R = LoadColumns(a.R + 9 * static_cast<std::ptrdiff_t>(corner[y]));
       rigidSquares.Add(R, current, e);
-      sphericalSquares.Add(R, base, delta);
+      sphericalSquares.Add(R, current, tau);
     }
     rigid += rigidSquares.Sum(a.c + 3 * static_cast<std::ptrdiff_t>(t));
     spherical += sphericalSquares.Sum(a.l + 3 * static_cast<std::ptrdiff_t>(t));
@@ -273,10 +180,8 @@ EnergyTerms StyleEnergy::Evaluate(const Points& Q, const Matrices& R) const
   const Triangles& F = this->Topology->GetTriangles();
   const HalfEdgeField current(Q);
   const ResidualArrays arrays = { F.data(), R.data()->data(), Reader(current), Reader(this->Edges),
-    Reader(this->TurningTargets), Reader(this->FixedTargets), this->HasFixedTargets(),
-    this->Weights.c.data(), this->Weights.l.data() };
-  const bool differences = this->Edges.IsDifference() && this->TurningTargets.IsDifference() &&
-    (this->FixedTargets.IsDifference() || !this->HasFixedTargets());
+    Reader(this->Targets), this->Weights.c.data(), this->Weights.l.data() };
+  const bool differences = this->Edges.IsDifference() && this->Targets.IsDifference();
   const auto sum = differences ? SumResidualsOfDifferences : SumResiduals;
   return ParallelSum(static_cast<int>(F.rows()), this->Threads, EnergyTerms(),
     [&](int begin, int end)
@@ -294,32 +199,14 @@ Eigen::VectorXd StyleEnergy::CellEnergies(const Points& Q, const Matrices& R) co
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
     const Eigen::Matrix3d E = DeformedEdges(Q, F, f);
-    Eigen::Matrix3d G = E;
-    if (this->HasFixedTargets())
-    {
-      G -= this->FixedTargets.Of(F, f);
-    }
     for (int y = 0; y < 3; ++y)
     {
       const Eigen::Matrix3d& rotation = R[F(f, y)];
       energy(F(f, y)) += Misfit(E, rotation, this->Edges.Of(F, f), this->Weights.c.row(f)) +
-        Misfit(G, rotation, this->TurningTargets.Of(F, f), this->Weights.l.row(f));
+        Misfit(E, rotation, this->Targets.Of(F, f), this->Weights.l.row(f));
     }
   }
   return energy;
-}
-
-void StyleEnergy::Covariances(const Points& Q, int begin, int end, double* S) const
-{
-  this->Pulls.Covariances(Q, begin, end, S);
-  if (this->HasFixedTargets())
-  {
-    const double* fixed = &this->FixedCovariances[9 * static_cast<std::size_t>(begin)];
-    for (std::ptrdiff_t k = 0; k < 9 * static_cast<std::ptrdiff_t>(end - begin); ++k)
-    {
-      S[k] -= fixed[k];
-    }
-  }
 }
 
 namespace
@@ -338,7 +225,7 @@ void StyleEnergy::Covariances(const Points& Q, Matrices& S) const
       for (int first = begin; first < end; first += Batch)
       {
         const int last = std::min(first + Batch, end);
-        this->Covariances(Q, first, last, batch.data());
+        this->Pulls.Covariances(Q, first, last, batch.data());
         std::copy_n(batch.data(), 9 * static_cast<std::ptrdiff_t>(last - first), S[first].data());
       }
     });
@@ -354,7 +241,7 @@ double StyleEnergy::FitRotations(const Points& Q, Matrices& R) const
       for (int first = begin; first < end; first += Batch)
       {
         const int last = std::min(first + Batch, end);
-        this->Covariances(Q, first, last, batch.data());
+        this->Pulls.Covariances(Q, first, last, batch.data());
         change += SphericalStyle::FitRotations(batch.data(), last - first, &R[first]);
       }
       return change;
@@ -364,9 +251,5 @@ double StyleEnergy::FitRotations(const Points& Q, Matrices& R) const
 void StyleEnergy::RightHandSide(const Matrices& R, Points& b) const
 {
   this->Pulls.RightHandSide(R, b, this->Threads);
-  if (this->HasFixedTargets())
-  {
-    b += this->FixedPulls;
-  }
 }
 } // namespace SphericalStyle

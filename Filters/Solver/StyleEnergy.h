@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The energy of the linear feature [energy] in its general edge form:
+/// The energy of the linear feature [energy] (Eq. 4.8):
 ///
-///     E(P', R) = sum_f sum_{h in f} sum_{y in f}
-///                  c_h |e'_h - R_y e_h|^2 + l_h |e'_h - f_h - R_y delta_h|^2
+///     E(P', R) = sum_f sum_{h in f} sum_{y in f} c_h |e'_h - R_y e_h|^2 + l_h |e'_h - R_y tau_h|^2
 ///
-/// The thesis (Eq. 4.8) is f = 0, delta = tau; with details kept [detail] f = tau and delta are the
-/// details. Every style is a choice of these four and not a new solver.
+/// Every style is a choice of c, l and tau and not a new solver.
 #ifndef SphericalStyle_StyleEnergy_h
 #define SphericalStyle_StyleEnergy_h
 
@@ -36,9 +34,9 @@ class StyleEnergy
 public:
   StyleEnergy() = default;
   /// @param topology  kept by reference, must outlive this
-  /// @param e  rest edges @param delta  turning targets @param f  fixed targets, or none (length)
-  StyleEnergy(const MeshTopology& topology, EdgeWeights weights, HalfEdgeField e,
-    HalfEdgeField delta, HalfEdgeField f, int threads);
+  /// @param e  rest edges @param tau  their targets, length
+  StyleEnergy(const MeshTopology& topology, EdgeWeights weights, HalfEdgeField e, HalfEdgeField tau,
+    int threads);
 
   const EdgeWeights& GetWeights() const { return this->Weights; }
   const MeshTopology& GetTopology() const { return *this->Topology; }
@@ -50,32 +48,22 @@ public:
   Eigen::VectorXd CellEnergies(const Points& Q, const Matrices& R) const;
   /// Makes the three steps below ready; to be called before any of them.
   /// @param pattern  that of the topology; kept by reference, must outlive this
-  /// @param pulls  those of an energy of the same weights, e and delta, or empty ones
-  void PrepareSteps(const CellPattern& pattern, CellPulls pulls = {});
-  /// The pulls, for an energy that differs in f alone; the steps are not ready then.
-  CellPulls ReleasePulls() { return std::exchange(this->Pulls, {}); }
-  /// S_y = sum_{f at y} sum_{h in f} (c e + l delta) e'^T - l delta f^T (Eq. 4.13) [local].
+  void PrepareSteps(const CellPattern& pattern);
+  /// S_y = sum_{f at y} sum_{h in f} (c e + l tau) e'^T (Eq. 4.13) [local].
   void Covariances(const Points& Q, Matrices& S) const;
   /// R_y := the rotation closest to S_y, without storing S. @return the change of E, <= 0
   double FitRotations(const Points& Q, Matrices& R) const;
-  /// Row u: sum over half-edges uv of (R_a + R_b + R_c)(c e + l delta) + 3 l f (Eq. 4.26) [global].
+  /// Row u: sum over half-edges uv of (R_a + R_b + R_c)(c e + l tau) (Eq. 4.26) [global].
   void RightHandSide(const Matrices& R, Points& b) const;
-  /// A scale to hold energies against: sum 3 (c |e|^2 + l |delta + f|^2), signs dropped.
+  /// A scale to hold energies against: sum 3 (c |e|^2 + l |tau|^2), signs dropped.
   double GetScale() const { return this->Scale; }
 
 private:
-  void Covariances(const Points& Q, int begin, int end, double* S) const;
-  bool HasFixedTargets() const { return !this->FixedTargets.IsEmpty(); }
-
   const MeshTopology* Topology = nullptr;
   EdgeWeights Weights;
-  HalfEdgeField Edges;          // e
-  HalfEdgeField TurningTargets; // delta
-  HalfEdgeField FixedTargets;   // f
-  CellPulls Pulls;              // of g = c e + l delta
-  // With fixed targets, per point: sum_{f at y} sum_h l delta f^T, and what 3 l f adds to b.
-  std::vector<double> FixedCovariances; // 9 n
-  Points FixedPulls;
+  HalfEdgeField Edges;   // e
+  HalfEdgeField Targets; // tau
+  CellPulls Pulls;       // of g = c e + l tau
   double Scale = 0.0;
   int Threads = 1;
 };

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StyleSolver.h"
 
-#include "BaseSurface.h"
-#include "Parallel.h"
+#include "CenterShares.h"
 #include "SolverMesh.h"
 #include "Stopwatch.h"
 #include "StyleSteps.h"
@@ -11,9 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -28,10 +24,8 @@ StyleOptions ThesisOptions(StyleOptions options)
   options.initialGuess = InitialGuess::Rest;
   options.anchor = Anchor::LastPoint;
   options.componentCoupling = ComponentCoupling::Independent;
-  options.loop.timeBudget = 0.0;
   options.linearMethod = LinearMethod::Factor;
   options.centerMode = CenterMode::PointMean;
-  options.detailSize = 0.0;
   return options;
 }
 
@@ -50,11 +44,12 @@ int NumberOfCenters(const StyleOptions& o)
   return o.centerIds.empty() ? 1 : 1 + *std::max_element(o.centerIds.begin(), o.centerIds.end());
 }
 
+}
+
 void CheckOptions(const StyleOptions& o, int n)
 {
   Require(std::isfinite(o.lambda) && o.lambda >= 0.0, "lambda must be finite and not negative");
   Require(o.normalBlend >= 0.0 && o.normalBlend <= 1.0, "the normal blend a must lie in 0..1");
-  Require(o.detailSize >= 0.0 && std::isfinite(o.detailSize), "the detail size must be 0 or more");
   Require(o.loop.tolerance > 0.0, "the tolerance must be above zero");
   Require(o.loop.maximumNumberOfIterations >= 0, "the number of iterations must be 0 or more");
   const auto sized = [n](Eigen::Index rows) { return rows == 0 || rows == n; };
@@ -92,6 +87,8 @@ void CheckOptions(const StyleOptions& o, int n)
     o.centerBlend >= 0.0 && std::isfinite(o.centerBlend), "the center blend must be 0 or more");
 }
 
+namespace
+{
 bool StartsFromBlend(const StyleOptions& o)
 {
   return o.initialGuess != InitialGuess::Rest && !o.localTerm;
@@ -111,10 +108,6 @@ public:
   EnergyTriangles Reshaped; // empty where the energy keeps the surface's
   CellPattern Cells;
   Points RestMeans;
-  // Depends on detail size too.
-  double BaseSize = -1.0;
-  Points Base;
-  Points Details; // P - B, with a detail size
   // Depends on the centers' ids and blend too.
   std::vector<int> CenterIds;
   double CenterBlend = 0.0;
@@ -126,16 +119,10 @@ public:
   GlobalStep Global;
   // Result of the last solve.
   StyleEnergy Energy;
-  bool PullsAreOfDetails = false; // those of Energy, and details have not changed since
-  CellPulls KeptPulls;            // while the next energy is made
   Points T;
   Points Q; // in the frame
   Points Positions;
   Matrices R;
-  bool HasResult = false;      // R is where a solve for these points and triangles ended
-  double LastRestEnergy = 0.0; // E_0 of that solve
-  double LastEnergy = 0.0;     // E where it ended
-  double BlendGap = 0.0;       // of the blend, when that was last looked at
 
   /// The triangles of the energy. Areas, normals and spheres are those of the surface.
   const EnergyTriangles& Summed() const
@@ -146,7 +133,6 @@ public:
 
   void Forget();
   void UpdateTriangles(const EnergyTriangleOptions& options);
-  void UpdateBase(const StyleOptions& options);
   void UpdateShares(const StyleOptions& options);
   std::vector<Sphere> Spheres(const StyleOptions& options) const;
   Points Directions(
@@ -161,12 +147,8 @@ public:
   void FactorGlobal(const EdgeWeights& w, int threads, StyleReport& report);
   void StartFromRest(const StyleOptions& options);
   void StartFromBlend(double radius, Points& Q) const;
-  Matrices TakeLast(const StyleOptions& options);
   void PrepareLoop(const StyleOptions& options, StyleReport& report);
-  std::optional<double> Start(StyleSteps& problem, const StyleOptions& options,
-    const StyleReport& report, Matrices last, double restEnergy);
-  double EnoughToContinue(double restEnergy) const;
-  void KeepEnergies(const LoopReport& loop, std::optional<double> ofBlend);
+  void Start(StyleSteps& problem, const StyleOptions& options, const StyleReport& report);
   void ToModelUnits(const StyleOptions& options, StyleReport& report);
 };
 
@@ -194,7 +176,6 @@ void StyleSolver::SetMesh(const TriangleMesh& mesh)
   }
   next->Set(mesh, change);
   next->HasTriangles = false;
-  next->HasResult = false;
   next->Areas = PointAreas(next->P, mesh.F);
   this->S = std::move(next);
 }
@@ -205,12 +186,8 @@ EnergyTriangleOptions ShapeOf(const StyleOptions& options, const MeshTopology& s
 {
   EnergyTriangleOptions shape;
   shape.intrinsicDelaunay = options.edgeWeighting == EdgeWeighting::IntrinsicDelaunay;
-  if (options.componentCoupling == ComponentCoupling::Stitched)
-  {
-    shape.stitched = surface.GetNumberOfComponents() > 1;
-    shape.wallSize = options.detailSize;
-  }
-  shape.threads = options.threads;
+  shape.stitched =
+    options.componentCoupling == ComponentCoupling::Stitched && surface.GetNumberOfComponents() > 1;
   return shape;
 }
 }
@@ -231,7 +208,6 @@ void StyleSolver::State::UpdateTriangles(const EnergyTriangleOptions& options)
     return;
   }
   this->HasTriangles = false;
-  this->HasResult = false;
   // Ordering and symbolic factor stay with the triangles that they were made for.
   bool replaced = options.KeepSurface() != this->Shape.KeepSurface();
   this->Shape = options;
@@ -248,33 +224,9 @@ void StyleSolver::State::UpdateTriangles(const EnergyTriangleOptions& options)
   {
     this->Cells = {};
   }
-  this->PullsAreOfDetails = false;
   this->RestMeans = this->Summed().Topology.ComponentMeans(this->P, this->Areas);
-  this->BaseSize = -1.0;
   this->CenterIds.clear();
   this->HasTriangles = true;
-}
-
-void StyleSolver::State::UpdateBase(const StyleOptions& options)
-{
-  const double detailSize = options.detailSize;
-  if (detailSize == this->BaseSize)
-  {
-    return;
-  }
-  this->BaseSize = -1.0;
-  this->Base = this->P;
-  this->Details.resize(0, 3);
-  this->PullsAreOfDetails = false;
-  if (detailSize > 0.0)
-  {
-    const EnergyTriangles& triangles = this->Summed();
-    // The frame's diagonal is 1, so the fraction is the length.
-    this->Base = SmoothBase(this->P, triangles.Topology, triangles.Cotangents, detailSize,
-      this->Areas, options.linearMethod, options.threads);
-    this->Details = this->P - this->Base;
-  }
-  this->BaseSize = detailSize;
 }
 
 void StyleSolver::State::UpdateShares(const StyleOptions& options)
@@ -307,8 +259,7 @@ std::vector<Sphere> StyleSolver::State::Spheres(const StyleOptions& options) con
   const bool ofAll = !options.sphereOfFreePoints || options.fixedPoints.empty();
   if (centers == 1 && ofAll)
   {
-    return { TargetSphere(
-      this->Base, this->Given.F, options.centerMode, options.radiusMode, custom) };
+    return { TargetSphere(this->P, this->Given.F, options.centerMode, options.radiusMode, custom) };
   }
   std::vector<int> parts = options.centerIds;
   parts.resize(this->P.rows(), 0);
@@ -320,7 +271,7 @@ std::vector<Sphere> StyleSolver::State::Spheres(const StyleOptions& options) con
     }
   }
   std::vector<Sphere> spheres = TargetSpheres(
-    this->Base, this->Given.F, parts, centers, options.centerMode, options.radiusMode, custom);
+    this->P, this->Given.F, parts, centers, options.centerMode, options.radiusMode, custom);
   const Points given = frame.Into(options.centers);
   for (Eigen::Index k = 0; k < given.rows(); ++k)
   {
@@ -338,7 +289,7 @@ Points StyleSolver::State::Directions(
   {
     return options.targets;
   }
-  Points d = CenterDirections(this->Base, this->Surface.Topology, center, onCenter);
+  Points d = CenterDirections(this->P, this->Given.F, center, onCenter);
   const Eigen::VectorXd a = options.normalBlends.size() > 0
     ? options.normalBlends
     : Eigen::VectorXd::Constant(n, options.normalBlend);
@@ -346,11 +297,11 @@ Points StyleSolver::State::Directions(
   {
     return d;
   }
-  const bool given = options.normals.rows() > 0 && options.detailSize == 0.0;
-  return BlendDirections(d, given ? options.normals : PointNormals(this->Base, this->Given.F), a);
+  const bool given = options.normals.rows() > 0;
+  return BlendDirections(d, given ? options.normals : PointNormals(this->P, this->Given.F), a);
 }
 
-/// tau [energy] from every center, of the base; and t, of several centers by their shares.
+/// tau [energy] from every center; and t, of several centers by their shares.
 HalfEdgeField StyleSolver::State::Targets(const StyleOptions& options, StyleReport& report)
 {
   report.spheres = this->Spheres(options);
@@ -385,7 +336,7 @@ HalfEdgeField StyleSolver::State::Targets(const StyleOptions& options, StyleRepo
   if (!keep)
   {
     report.concaveHalfEdges =
-      ChangeConcaveTargets(HalfEdgeDifferences(this->Base, F), options.concaveEdges, tau);
+      ChangeConcaveTargets(HalfEdgeDifferences(this->P, F), options.concaveEdges, tau);
   }
   return tau;
 }
@@ -397,9 +348,8 @@ void StyleSolver::State::UpdateGlobal(const StyleOptions& options)
   {
     this->Global = GlobalStep(this->Summed().Topology, options.fixedPoints, options.linearMethod);
     this->FixedPoints = options.fixedPoints;
-    if (options.linearMethod != this->Method) // they are solved for, too
+    if (options.linearMethod != this->Method) // shares are solved for, too
     {
-      this->BaseSize = -1.0;
       this->CenterIds.clear();
     }
     this->Method = options.linearMethod;
@@ -408,7 +358,7 @@ void StyleSolver::State::UpdateGlobal(const StyleOptions& options)
 }
 
 /// [blend]: one ratio l / c on all half-edges, targets that are differences of one field, nothing
-/// held: the start with R = I is (P + mu (r t + P - B)) / (1 + mu) up to a move of each component.
+/// held: the start with R = I is (P + mu r t) / (1 + mu) up to a move of each component.
 bool StyleSolver::State::IsClosedForm(const StyleOptions& options, const StyleReport& report) const
 {
   return this->Energy.GetWeights().proportional && report.concaveHalfEdges == 0 &&
@@ -420,36 +370,11 @@ void StyleSolver::State::StartFromBlend(double radius, Points& Q) const
   const double mu = this->Energy.GetWeights().ratio;
   if (mu > 0.0)
   {
-    Q = (this->P + mu * (radius * this->T + this->P - this->Base)) / (1.0 + mu);
+    Q = (this->P + mu * radius * this->T) / (1.0 + mu);
   }
 }
 
-/// What rotations of the last result may lead to for the blend not to be worth looking at: half of
-/// its gap, as long as the options are about what they were.
-double StyleSolver::State::EnoughToContinue(double restEnergy) const
-{
-  if (std::abs(restEnergy - this->LastRestEnergy) > 0.1 * this->LastRestEnergy)
-  {
-    return -std::numeric_limits<double>::infinity();
-  }
-  return this->LastEnergy + 0.5 * this->BlendGap * (restEnergy - this->LastEnergy);
-}
-
-/// @param ofBlend  E of the blend if it was looked at
-void StyleSolver::State::KeepEnergies(const LoopReport& loop, std::optional<double> ofBlend)
-{
-  this->LastRestEnergy = loop.restEnergy;
-  this->LastEnergy = loop.history.back().energy.Total();
-  const double whole = loop.restEnergy - this->LastEnergy;
-  if (ofBlend)
-  {
-    this->BlendGap = whole > 0.0 ? (*ofBlend - this->LastEnergy) / whole : 0.0;
-  }
-}
-
-/// All that depends on the mesh and on few options: triangles, weights, base, shares and, where the
-/// details say so, the factor. Base and factor are two factorisations that know nothing of each
-/// other.
+/// All that depends on the mesh and on few options: triangles, weights, shares.
 EdgeWeights StyleSolver::State::Prepare(const StyleOptions& options, StyleReport& report)
 {
   const Stopwatch triangles;
@@ -458,26 +383,12 @@ EdgeWeights StyleSolver::State::Prepare(const StyleOptions& options, StyleReport
   report.components = this->Surface.Topology.GetNumberOfComponents();
   report.edgeFlips = this->Summed().NumberOfFlips;
   report.negativeEdges = this->Summed().NumberOfNegativeEdges;
-  report.wallStitches = this->Summed().NumberOfWallStitches;
-  report.stitches = this->Summed().NumberOfStitches - report.wallStitches;
+  report.stitches = this->Summed().NumberOfStitches;
   this->UpdateGlobal(options);
   EdgeWeights weights = this->Weights(options, report);
-  const auto base = [&]
-  {
-    const Stopwatch watch;
-    this->UpdateBase(options);
-    this->UpdateShares(options);
-    report.seconds.base = watch.Seconds();
-  };
-  if (options.detailSize > 0.0)
-  {
-    ParallelTasks(2, options.threads,
-      [&](int task) { task == 0 ? this->FactorGlobal(weights, options.threads, report) : base(); });
-  }
-  else
-  {
-    base();
-  }
+  const Stopwatch shares;
+  this->UpdateShares(options);
+  report.seconds.base = shares.Seconds();
   return weights;
 }
 
@@ -495,24 +406,15 @@ EdgeWeights StyleSolver::State::Weights(const StyleOptions& options, StyleReport
   return weights;
 }
 
-/// Edges, targets and weights of [energy], or of [detail] with a detail size.
+/// Edges, targets and weights of [energy].
 void StyleSolver::State::BuildEnergy(
   const StyleOptions& options, EdgeWeights weights, StyleReport& report)
 {
   const Stopwatch watch;
-  const MeshTopology& topology = this->Summed().Topology;
-  const bool details = options.detailSize > 0.0;
-  const EdgeWeights& last = this->Energy.GetWeights();
-  const bool keepsPulls =
-    details && this->PullsAreOfDetails && last.c == weights.c && last.l == weights.l;
-  this->KeptPulls = keepsPulls ? this->Energy.ReleasePulls() : CellPulls();
   this->Energy = {}; // its memory is needed
-  this->PullsAreOfDetails = false;
   HalfEdgeField tau = this->Targets(options, report);
-  this->Energy = details ? StyleEnergy(topology, std::move(weights), HalfEdgeField(this->P),
-                             HalfEdgeField(this->Details), std::move(tau), options.threads)
-                         : StyleEnergy(topology, std::move(weights), HalfEdgeField(this->P),
-                             std::move(tau), {}, options.threads);
+  this->Energy = StyleEnergy(this->Summed().Topology, std::move(weights), HalfEdgeField(this->P),
+    std::move(tau), options.threads);
   report.seconds.weights += watch.Seconds();
 }
 
@@ -524,8 +426,7 @@ void StyleSolver::State::PrepareSteps(StyleReport& report)
   {
     this->Cells = CellPattern(this->Summed().Topology);
   }
-  this->Energy.PrepareSteps(this->Cells, std::exchange(this->KeptPulls, {}));
-  this->PullsAreOfDetails = this->Details.rows() > 0;
+  this->Energy.PrepareSteps(this->Cells);
   report.seconds.weights += watch.Seconds();
 }
 
@@ -571,66 +472,39 @@ void StyleSolver::State::ToModelUnits(const StyleOptions& options, StyleReport& 
   frame.OutOf(report.loop);
 }
 
-/// The rotations to go on from; none where there are none, or where they must not be used.
-Matrices StyleSolver::State::TakeLast(const StyleOptions& options)
-{
-  const bool continues = std::exchange(this->HasResult, false) &&
-    options.initialGuess == InitialGuess::LastResult &&
-    options.loop.stopRule != StopRule::FixedIterations && !options.localTerm;
-  if (!continues)
-  {
-    this->BlendGap = 0.0;
-    return {};
-  }
-  return std::exchange(this->R, {});
-}
-
-/// Without details the blend is not only the start but the minimum, as long as the weights are
-/// positive semidefinite in every triangle: then nothing needs to be solved. Else makes ready what
-/// the loop needs.
+/// The blend is not only the start but the minimum, as long as the weights are positive
+/// semidefinite in every triangle: then nothing needs to be solved. Else makes ready what the loop
+/// needs.
 void StyleSolver::State::PrepareLoop(const StyleOptions& options, StyleReport& report)
 {
   report.closedForm = StartsFromBlend(options) && this->IsClosedForm(options, report) &&
-    options.detailSize == 0.0 && options.edgeWeighting != EdgeWeighting::FullEdge &&
+    options.edgeWeighting != EdgeWeighting::FullEdge &&
     options.loop.stopRule != StopRule::FixedIterations;
   if (report.closedForm)
   {
     return;
   }
   this->PrepareSteps(report);
-  if (options.detailSize == 0.0)
-  {
-    this->FactorGlobal(this->Energy.GetWeights(), options.threads, report);
-  }
+  this->FactorGlobal(this->Energy.GetWeights(), options.threads, report);
 }
 
-/// [start] @param last  rotations to go on from, or none
-/// @return E of the blend if that was looked at on the way
-std::optional<double> StyleSolver::State::Start(StyleSteps& problem, const StyleOptions& options,
-  const StyleReport& report, Matrices last, double restEnergy)
+/// [start]
+void StyleSolver::State::Start(
+  StyleSteps& problem, const StyleOptions& options, const StyleReport& report)
 {
-  const bool closedForm = this->IsClosedForm(options, report);
-  const auto blend = [&](Points& X)
+  if (!StartsFromBlend(options))
   {
-    if (closedForm)
-    {
-      this->StartFromBlend(report.sphere.radius, X);
-      problem.MoveComponents(X);
-    }
-    else
-    {
-      problem.SolveGlobal(X);
-    }
-  };
-  if (!last.empty())
-  {
-    return problem.StartFrom(std::move(last), this->EnoughToContinue(restEnergy), blend, this->Q);
+    return;
   }
-  if (StartsFromBlend(options))
+  if (this->IsClosedForm(options, report))
   {
-    blend(this->Q);
+    this->StartFromBlend(report.sphere.radius, this->Q);
+    problem.MoveComponents(this->Q);
   }
-  return {};
+  else
+  {
+    problem.SolveGlobal(this->Q);
+  }
 }
 
 StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& callback)
@@ -643,9 +517,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     s.Forget();
   }
   StyleReport report;
-  const Stopwatch whole;
   s.BuildEnergy(options, s.Prepare(options, report), report);
-  Matrices last = s.TakeLast(options);
   s.StartFromRest(options);
   StyleSteps problem(
     s.Energy, s.Global, s.R, s.P, s.Areas, s.RestMeans, options.anchor, options.localTerm.get());
@@ -664,20 +536,11 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     problem.SolveGlobal(blend);
     restEnergy = std::max(restEnergy, problem.Evaluate(blend).Total());
   }
-  if (report.closedForm)
-  {
-    last.clear();
-  }
-  const bool onlyBlend = last.empty() && StartsFromBlend(options);
-  std::optional<double> ofBlend = s.Start(problem, options, report, std::move(last), restEnergy);
+  s.Start(problem, options, report);
 
   LoopOptions loop = options.loop;
   loop.threads = options.threads;
   loop.maximumNumberOfIterations = report.closedForm ? 0 : loop.maximumNumberOfIterations;
-  if (loop.timeBudget > 0.0)
-  {
-    loop.timeBudget = std::max(loop.timeBudget - whole.Seconds(), 1e-9);
-  }
   report.loop =
     RunLocalGlobal(problem, s.P, restEnergy, 1e-14 * s.Energy.GetScale(), s.Q, loop, callback);
   if (report.closedForm)
@@ -686,13 +549,7 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     report.loop.history.back().gap = 0.0;
   }
   report.seconds.iterate = iterate.Seconds();
-  if (onlyBlend)
-  {
-    ofBlend = report.loop.history.front().energy.Total();
-  }
-  s.KeepEnergies(report.loop, ofBlend);
   s.ToModelUnits(options, report);
-  s.HasResult = !report.closedForm && !options.localTerm;
   s.IsWhole = true;
   return report;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The whole method for the linear feature: options in, deformed points and a report out.
+/// The energy of the linear feature: options in, deformed points and a report out.
 #ifndef SphericalStyle_StyleSolver_h
 #define SphericalStyle_StyleSolver_h
 
@@ -23,21 +23,14 @@ enum class Anchor
 /// What holds the parts of a model together.
 enum class ComponentCoupling
 {
-  /// Edges between near parts: the model is one component [stitch]. With details kept also
-  /// edges between the two sides of thin walls [wall]
-  Stitched,
+  Stitched,   ///< edges between near parts: the model is one component [stitch]
   Independent ///< nothing: each component has an anchor of its own (thesis)
 };
 
 enum class InitialGuess
 {
   Blend, ///< R = I and one global step, not counted [start]
-  Rest,  ///< the rest points (thesis)
-  /// The rotations that the last solve of the same mesh ended with, and one global step, where that
-  /// is lower than Blend; Blend where there are none, and with a fixed number of iterations. The
-  /// minimum is the same; how near the result is to it, and so its last digits, depend on where the
-  /// last solve ended.
-  LastResult
+  Rest   ///< the rest points (thesis)
 };
 
 /// What the user wants. Lengths and positions are in model units. Arrays of 0 rows mean "none".
@@ -47,8 +40,7 @@ struct StyleOptions
   double normalBlend = 0.0; ///< a, 0..1
   CenterMode centerMode = CenterMode::PointMean;
   RadiusMode radiusMode = RadiusMode::EqualArea;
-  Sphere custom;           ///< for the Custom modes
-  double detailSize = 0.0; ///< fraction of the diagonal of the bounds [detail]; 0: the thesis
+  Sphere custom; ///< for the Custom modes
   SphericalWeighting sphericalWeighting = SphericalWeighting::Uniform;
   ConcaveEdges concaveEdges = ConcaveEdges::Keep;
   EdgeWeighting edgeWeighting = EdgeWeighting::HalfEdge;
@@ -61,7 +53,7 @@ struct StyleOptions
 
   Eigen::VectorXd roundnessFactors; ///< n, >= 0: lambda_i = lambda * factor
   Eigen::VectorXd normalBlends;     ///< n, 0..1: replaces a
-  Points normals;                   ///< n x 3 unit normals; computed where absent or detailSize > 0
+  Points normals;                   ///< n x 3 unit normals; computed where absent
   Points targets;                   ///< n x 3, replaces t
   std::vector<int> fixedPoints;     ///< points that keep fixedPositions, exactly
   Points fixedPositions;            ///< one row per fixed point
@@ -79,11 +71,15 @@ struct StyleOptions
 /// The method of the thesis to the letter: the options with everything else overridden.
 StyleOptions ThesisOptions(StyleOptions options);
 
+/// @param n  number of points @throw std::invalid_argument for options out of range or of wrong
+/// size
+void CheckOptions(const StyleOptions& options, int n);
+
 /// Wall time of the stages of one solve, seconds.
 struct StageSeconds
 {
   double triangles = 0.0; ///< those of the energy, where they are not the surface's
-  double base = 0.0;      ///< smooth base of [detail], shares of several centers
+  double base = 0.0;      ///< grid and base [base], shares of several centers
   double weights = 0.0;   ///< cotangents, weights, targets
   double analyze = 0.0;   ///< matrix, ordering, symbolic factor
   double factor = 0.0;    ///< numeric factor
@@ -102,10 +98,14 @@ struct StyleReport
   int edgeFlips = -1;              ///< with IntrinsicDelaunay; -1 otherwise
   int negativeEdges = -1;          ///< see IntrinsicTriangulation; -1 otherwise
   int stitches = 0;                ///< edges between parts [stitch]
-  int wallStitches = 0;            ///< edges through thin walls [wall]
   bool factored = false;           ///< whether this solve had to factor
   bool hasMinimum = true;          ///< false only with full-edge weights: E is unbounded below
   std::string linearSolver = "none";
+  int gridFunctions = 0;    ///< of the grid [grid]; 0 without details
+  double gridSpacing = 0.0; ///< fraction of the diagonal
+  bool coarserGrid = false; ///< the grid could not be as fine as the details
+  int walls = 0;            ///< pairs through thin walls, in the grid [wall]
+  double sizeFactor = 1.0;  ///< by which the result was scaled [size]
   StageSeconds seconds;
 };
 
@@ -119,8 +119,6 @@ struct StyleReport
 /// | lambda (uniform weights), edge weighting | matrix values, numeric factor, targets   |
 /// | lambda (cotangent weights)               | targets                                  |
 /// | fixed points, linear method              | ordering, symbolic and numeric factor    |
-/// | detail size                              | base, targets; if parts are stitched     |
-/// |                                          | all but the surface's own topology       |
 /// | center ids, blend of several centers     | shares of the centers, targets           |
 /// | a, O, r, normals, targets, concave edges | targets                                  |
 class StyleSolver

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StyleSteps.h"
 
-#include <utility>
-
 namespace SphericalStyle
 {
 double StyleSteps::FitLocal(const Points& Q)
@@ -28,29 +26,6 @@ EnergyTerms StyleSteps::Evaluate(const Points& Q) const
   EnergyTerms terms = this->Energy.Evaluate(Q, this->R);
   terms.spherical += this->Term ? this->Term->Evaluate(this->R) : 0.0;
   return terms;
-}
-
-std::optional<double> StyleSteps::StartFrom(
-  Matrices last, double enough, const std::function<void(Points&)>& blend, Points& Q)
-{
-  Points moved = Q;
-  this->R.swap(last);
-  this->SolveGlobal(moved);
-  const double energy = this->Evaluate(moved).Total();
-  if (energy <= enough)
-  {
-    Q.swap(moved);
-    return {};
-  }
-  this->R.swap(last);
-  blend(Q);
-  const double ofBlend = this->Evaluate(Q).Total();
-  if (energy < ofBlend)
-  {
-    Q.swap(moved);
-    this->R.swap(last);
-  }
-  return ofBlend;
 }
 
 void StyleSteps::MoveComponents(Points& Q) const

@@ -7,9 +7,6 @@
 
 #include "StyleSolver.h"
 
-#include <functional>
-#include <optional>
-
 namespace SphericalStyle
 {
 /// Keeps references to all that it is made from.
@@ -37,11 +34,6 @@ public:
   void SolveGlobal(Points& Q) override;
   EnergyTerms Evaluate(const Points& Q) const override;
 
-  /// Takes the last rotations, and Q by a global step with them, if that is no more than `enough`
-  /// or lower than what the blend makes of Q.
-  /// @return E of the blend if it was looked at
-  std::optional<double> StartFrom(
-    Matrices last, double enough, const std::function<void(Points&)>& blend, Points& Q);
   /// Puts the anchor of every component back where it was; components with a fixed point stay.
   void MoveComponents(Points& Q) const;
 

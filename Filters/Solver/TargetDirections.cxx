@@ -4,6 +4,7 @@
 
 #include "SurfaceMeasures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -120,8 +121,8 @@ std::vector<Sphere> TargetSpheres(const Points& P, const Triangles& F,
   return spheres;
 }
 
-Points CenterDirections(const Points& P, const MeshTopology& topology, const Eigen::Vector3d& O,
-  std::vector<int>& onCenter)
+Points CenterDirections(
+  const Points& P, const Triangles& F, const Eigen::Vector3d& O, std::vector<int>& onCenter)
 {
   const double smallest = 1e-12 * (P.colwise().maxCoeff() - P.colwise().minCoeff()).norm();
   Points d = P.rowwise() - O.transpose();
@@ -140,19 +141,22 @@ Points CenterDirections(const Points& P, const MeshTopology& topology, const Eig
     }
   }
   const Points known = d;
-  const Triangles& F = topology.GetTriangles();
   for (const int i : onCenter)
   {
     Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-    const int first = topology.GetCornerOffset()[i];
-    const int last = topology.GetCornerOffset()[i + 1];
-    for (int at = first; at < last; ++at)
+    int corners = 0;
+    for (Eigen::Index corner = 0; corner < F.size(); ++corner)
     {
-      const int corner = topology.GetCorners()[at];
-      sum += known.row(F(corner / 3, HalfEdgeStart(corner % 3)));
-      sum += known.row(F(corner / 3, HalfEdgeEnd(corner % 3)));
+      if (F.data()[corner] == i)
+      {
+        const Eigen::Index f = corner / 3;
+        const int k = static_cast<int>(corner % 3);
+        sum += known.row(F(f, HalfEdgeStart(k)));
+        sum += known.row(F(f, HalfEdgeEnd(k)));
+        ++corners;
+      }
     }
-    d.row(i) = sum / (2.0 * (last - first));
+    d.row(i) = sum / (2.0 * std::max(corners, 1));
   }
   return d;
 }

@@ -68,7 +68,7 @@ std::vector<Sphere> TargetSpheres(const Points& P, const Triangles& F,
 /// d_i = (p_i - O) / |p_i - O| (Eq. 4.4). A point within 1e-12 diagonals of O has no direction: it
 /// takes the mean over the other corners of its triangles (zero when they surround it evenly).
 /// @param onCenter  those points, ascending
-Points CenterDirections(const Points& P, const MeshTopology& topology, const Eigen::Vector3d& O,
+Points CenterDirections(const Points& P, const Triangles& F, const Eigen::Vector3d& O,
   std::vector<int>& onCenter);
 
 /// t_i = (1 - a_i) d_i + a_i n_i (Eq. 4.6), a of one entry per point.

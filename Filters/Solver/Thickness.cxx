@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Thickness.h"
 
+#include "FirstHit.h"
 #include "Frame.h"
 #include "Parallel.h"
 #include "SurfaceMeasures.h"
@@ -9,120 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 namespace SphericalStyle
 {
-namespace
-{
-// Lengths are fractions of the diagonal.
-constexpr double Nearest = 1e-6;  // far above the rounding of points of single precision
-constexpr double Rounding = 1e-9; // a ray through an edge must not pass between its triangles
-
-/// What a ray from a point of the mesh hits first, nearer than its reach.
-struct FirstHit
-{
-  static constexpr double Nothing = std::numeric_limits<double>::infinity();
-
-  const Points& P;
-  const Triangles& F;
-  int Point;
-  Eigen::Vector3d Origin;
-  Eigen::Vector3d Direction;
-  Eigen::Vector3d Inverse; // of the direction, finite
-
-  double Distance; // of the hit; the reach before there is one
-  int Triangle = -1;
-  Eigen::Vector2d Place = { 0.0, 0.0 }; // barycentric coordinates 1 and 2
-
-  FirstHit(const Points& points, const Triangles& triangles, int point,
-    const Eigen::Vector3d& direction, double reach)
-    : P(points)
-    , F(triangles)
-    , Point(point)
-    , Origin(points.row(point))
-    , Direction(direction)
-    , Inverse(direction.unaryExpr([](double x) { return 1.0 / (x == 0.0 ? 1e-300 : x); }))
-    , Distance(reach)
-  {
-  }
-
-  /// Looks through what is below a node of the tree, nearest boxes first.
-  void Search(const TriangleTree& tree, const TriangleTree::Node& node)
-  {
-    if (TriangleTree::IsLeaf(node))
-    {
-      std::for_each(tree.Begin(node), tree.End(node), [this](int f) { this->Test(f); });
-      return;
-    }
-    TriangleTree::Node near = tree.GetLeft(node);
-    TriangleTree::Node far = tree.GetRight(node);
-    double toNear = this->DistanceOf(tree.GetBox(near));
-    double toFar = this->DistanceOf(tree.GetBox(far));
-    if (toFar < toNear)
-    {
-      std::swap(near, far);
-      std::swap(toNear, toFar);
-    }
-    this->SearchWithin(tree, near, toNear);
-    this->SearchWithin(tree, far, toFar);
-  }
-
-  void SearchWithin(const TriangleTree& tree, const TriangleTree::Node& node, double distance)
-  {
-    if (distance < Nothing && distance <= this->Distance)
-    {
-      this->Search(tree, node);
-    }
-  }
-
-  /// Distance of the box along the ray.
-  double DistanceOf(const Eigen::AlignedBox3d& box) const
-  {
-    const Eigen::Array3d low = (box.min() - this->Origin).array() - Rounding;
-    const Eigen::Array3d high = (box.max() - this->Origin).array() + Rounding;
-    const Eigen::Array3d a = low * this->Inverse.array(), b = high * this->Inverse.array();
-    const double enters = std::max(0.0, a.min(b).maxCoeff());
-    const double leaves = a.max(b).minCoeff();
-    return enters <= leaves ? enters : Nothing; // NOLINT(bugprone-narrowing-conversions): infinity
-  }
-
-  /// Takes the triangle if the ray meets it first (Moeller, Trumbore, Fast, minimum storage
-  /// ray/triangle intersection, 1997). Of two at one distance the first triangle is taken.
-  void Test(int f)
-  {
-    const auto corners = this->F.row(f);
-    if ((corners.array() == this->Point).any())
-    {
-      return;
-    }
-    const Eigen::Vector3d a = this->P.row(corners(0));
-    const Eigen::Vector3d ab = this->P.row(corners(1)).transpose() - a;
-    const Eigen::Vector3d ac = this->P.row(corners(2)).transpose() - a;
-    const Eigen::Vector3d across = this->Direction.cross(ac);
-    const double determinant = ab.dot(across);
-    if (std::abs(determinant) <= 1e-12 * ab.norm() * ac.norm()) // along the ray
-    {
-      return;
-    }
-    const Eigen::Vector3d s = this->Origin - a;
-    const Eigen::Vector3d q = s.cross(ab);
-    const Eigen::Vector2d place(s.dot(across) / determinant, this->Direction.dot(q) / determinant);
-    const double distance = ac.dot(q) / determinant;
-    const bool inside = place.minCoeff() >= -Rounding && place.sum() <= 1.0 + Rounding;
-    const bool first =
-      distance < this->Distance || (distance == this->Distance && f < this->Triangle);
-    if (inside && distance > Nearest && first)
-    {
-      this->Distance = distance;
-      this->Triangle = f;
-      this->Place = place;
-    }
-  }
-};
-}
-
 ThicknessProbes PlaceThicknessProbes(
   const TriangleMesh& rest, const std::vector<int>& points, int threads, double reach)
 {
@@ -145,15 +35,16 @@ ThicknessProbes PlaceThicknessProbes(
       for (int i = begin; i < end; ++i)
       {
         const Eigen::Vector3d normal = normals.row(points[i]);
-        FirstHit hit(P, rest.F, points[i], inward * normal, reach);
+        FirstHit hit(P, rest.F, P.row(points[i]), inward * normal, reach);
+        hit.SkipPoint(points[i]);
         if (normal.norm() > 0.5)
         {
-          hit.Search(tree, tree.GetRoot());
+          hit.Search(tree);
         }
-        if (hit.Triangle >= 0)
+        if (hit.GetTriangle() >= 0)
         {
-          triangles[i] = hit.Triangle;
-          barycentric.row(i) << 1.0 - hit.Place.sum(), hit.Place.transpose();
+          triangles[i] = hit.GetTriangle();
+          barycentric.row(i) = hit.GetPlace();
         }
       }
     });

@@ -32,31 +32,6 @@ double HalfCotangent(const Points& P, const Triangles& F, int f, int k)
   return 0.5 * x.dot(y) / x.cross(y).norm();
 }
 
-// B of section 2b by dense solves.
-Points Base(const Points& P, const Triangles& F, double s)
-{
-  const int n = P.rows();
-  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n, n), L = M;
-  for (int f = 0; f < F.rows(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      M(F(f, k), F(f, k)) += Area(P, F, f) / 3.0;
-      const int u = F(f, (k + 1) % 3), v = F(f, (k + 2) % 3);
-      const double c = HalfCotangent(P, F, f, k);
-      L(u, u) += c;
-      L(v, v) += c;
-      L(u, v) -= c;
-      L(v, u) -= c;
-    }
-  }
-  const Eigen::FullPivLU<Eigen::MatrixXd> factor(M + s * s * L);
-  Points B = P;
-  B = factor.solve(M * B).eval();
-  B = factor.solve(M * B).eval();
-  return B;
-}
-
 // Unit triangle normals weighted by the angle at the point.
 Points AngleWeightedNormals(const Points& P, const Triangles& F)
 {
@@ -85,20 +60,17 @@ NaiveReference::NaiveReference(const TriangleMesh& mesh, const StyleOptions& opt
   , CentroidAnchor(options.anchor == Anchor::Centroid)
 {
   const Triangles& F = mesh.F;
-  const bool details = options.detailSize > 0.0;
-  const double diagonal = (P.colwise().maxCoeff() - P.colwise().minCoeff()).norm();
-  const Points B = details ? Base(P, F, options.detailSize * diagonal) : P;
 
   // The sphere.
   double area = 0.0;
   Vector areaCentroid = Vector::Zero();
-  const Vector mean = B.colwise().mean().transpose();
+  const Vector mean = P.colwise().mean().transpose();
   double volume = 0.0;
   for (int f = 0; f < F.rows(); ++f)
   {
-    const Vector a = Row(B, F(f, 0)), b = Row(B, F(f, 1)), c = Row(B, F(f, 2));
-    area += Area(B, F, f);
-    areaCentroid += Area(B, F, f) * (a + b + c) / 3.0;
+    const Vector a = Row(P, F(f, 0)), b = Row(P, F(f, 1)), c = Row(P, F(f, 2));
+    area += Area(P, F, f);
+    areaCentroid += Area(P, F, f) * (a + b + c) / 3.0;
     volume += (a - mean).dot((b - mean).cross(c - mean)) / 6.0;
   }
   areaCentroid /= area;
@@ -119,13 +91,12 @@ NaiveReference::NaiveReference(const TriangleMesh& mesh, const StyleOptions& opt
 
   // t
   this->T.resize(N, 3);
-  const Points normals =
-    options.normals.rows() > 0 && !details ? options.normals : AngleWeightedNormals(B, F);
+  const Points normals = options.normals.rows() > 0 ? options.normals : AngleWeightedNormals(P, F);
   for (int i = 0; i < N; ++i)
   {
     const double a =
       options.normalBlends.size() > 0 ? options.normalBlends[i] : options.normalBlend;
-    const Vector d = (Row(B, i) - this->O).normalized();
+    const Vector d = (Row(P, i) - this->O).normalized();
     this->T.row(i) = ((1.0 - a) * d + a * Row(normals, i)).transpose();
   }
   if (options.targets.rows() > 0)
@@ -169,15 +140,12 @@ NaiveReference::NaiveReference(const TriangleMesh& mesh, const StyleOptions& opt
         h.l = std::sqrt(3.0) * lambda * h.c;
       }
       h.e = Row(P, h.u) - Row(P, h.v);
-      const Vector base = Row(B, h.u) - Row(B, h.v);
-      Vector tau = this->Radius * (Row(this->T, h.u) - Row(this->T, h.v));
-      if (options.concaveEdges != ConcaveEdges::Keep && tau.dot(base) < 0.0)
+      h.tau = this->Radius * (Row(this->T, h.u) - Row(this->T, h.v));
+      if (options.concaveEdges != ConcaveEdges::Keep && h.tau.dot(h.e) < 0.0)
       {
         ++this->Flipped;
-        tau = options.concaveEdges == ConcaveEdges::Flip ? Vector(-tau) : Vector::Zero();
+        h.tau = options.concaveEdges == ConcaveEdges::Flip ? Vector(-h.tau) : Vector::Zero();
       }
-      h.delta = details ? Vector(h.e - base) : tau;
-      h.f = details ? tau : Vector::Zero();
       this->HalfEdges.push_back(h);
     }
   }
@@ -270,7 +238,7 @@ void NaiveReference::LocalStep()
       if (h.cells[0] == y || h.cells[1] == y || h.cells[2] == y)
       {
         const Vector e = Row(this->Q, h.u) - Row(this->Q, h.v);
-        S += h.c * h.e * e.transpose() + h.l * h.delta * (e - h.f).transpose();
+        S += h.c * h.e * e.transpose() + h.l * h.tau * e.transpose();
       }
     }
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(S, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -290,7 +258,7 @@ void NaiveReference::GlobalStep()
   {
     for (const int y : h.cells)
     {
-      const Vector pull = this->R[y] * (h.c * h.e + h.l * h.delta) + h.l * h.f;
+      const Vector pull = this->R[y] * (h.c * h.e + h.l * h.tau);
       b.row(h.u) += pull.transpose();
       b.row(h.v) -= pull.transpose();
     }
@@ -355,7 +323,7 @@ EnergyTerms NaiveReference::Energy() const
     for (const int y : h.cells)
     {
       energy.rigid += h.c * (e - this->R[y] * h.e).squaredNorm();
-      energy.spherical += h.l * (e - h.f - this->R[y] * h.delta).squaredNorm();
+      energy.spherical += h.l * (e - this->R[y] * h.tau).squaredNorm();
     }
   }
   return energy;
@@ -369,8 +337,8 @@ Eigen::VectorXd NaiveReference::CellEnergies() const
     const Vector e = Row(this->Q, h.u) - Row(this->Q, h.v);
     for (const int y : h.cells)
     {
-      cells[y] += h.c * (e - this->R[y] * h.e).squaredNorm() +
-        h.l * (e - h.f - this->R[y] * h.delta).squaredNorm();
+      cells[y] +=
+        h.c * (e - this->R[y] * h.e).squaredNorm() + h.l * (e - this->R[y] * h.tau).squaredNorm();
     }
   }
   return cells;

@@ -47,8 +47,7 @@ private:
     double c;
     double l;
     Vector e;
-    Vector delta;
-    Vector f;
+    Vector tau;
   };
 
   void GlobalStep();

@@ -11,11 +11,12 @@ using Eigen::Vector3d;
 
 namespace
 {
-StyleOptions Defaults()
+MethodOptions Defaults()
 {
-  StyleOptions options;
+  MethodOptions options;
   options.sphericalWeighting = SphericalWeighting::Cotangent;
   options.centerMode = CenterMode::AreaCentroid;
+  options.normalRadius = NormalRadius::WholeModel;
   return options;
 }
 
@@ -26,21 +27,21 @@ struct Outcome
   std::string advice;
 };
 
-Outcome Run(const TriangleMesh& mesh, const StyleOptions& options)
+Outcome Run(const TriangleMesh& mesh, const MethodOptions& options)
 {
-  StyleSolver solver;
-  solver.SetMesh(mesh);
-  const StyleReport report = solver.Solve(options);
+  SphericalStyleMethod method;
+  method.SetMesh(mesh);
+  const StyleReport report = method.Solve(options);
   Outcome outcome;
   outcome.surface = MeasureSurface(mesh, report.components);
-  outcome.result = MeasureResult(mesh, solver.GetPositions(), options, report);
+  outcome.result = MeasureResult(mesh, method.GetPositions(), options, report);
   outcome.advice = Advise(options, outcome.surface, outcome.result, true);
   return outcome;
 }
 
 /// The advice must begin with `expected` and must hold the figure; after `follow` it is gone.
 template <typename Follow>
-void ExpectAdvice(const char* about, const TriangleMesh& mesh, StyleOptions options,
+void ExpectAdvice(const char* about, const TriangleMesh& mesh, MethodOptions options,
   const std::string& expected, const std::string& figure, const Follow& follow)
 {
   const Outcome before = Run(mesh, options);
@@ -134,7 +135,7 @@ void TestSurfaceFacts()
 
 void TestCenterFacts()
 {
-  StyleOptions options = Defaults();
+  MethodOptions options = Defaults();
   options.centerMode = CenterMode::Custom;
   const TriangleMesh ball = Meshes::Icosphere(5);
   TriangleMesh insideOut = ball;
@@ -160,14 +161,14 @@ void TestReliefFact()
 {
   for (const double lambda : { 0.5, 5.0 })
   {
-    StyleOptions options = Defaults();
+    MethodOptions options = Defaults();
     options.lambda = lambda;
     // The blend of [blend] divides differences of |p - O| by 1 + sqrt(3) lambda, but for the move
     // of the centroid.
     CHECK_NEAR(Run(Bumpy(), options).result.relief, 1.0 / (1.0 + std::sqrt(3.0) * lambda), 2e-3,
       "relief left at lambda " << lambda);
   }
-  StyleOptions still = Defaults();
+  MethodOptions still = Defaults();
   still.lambda = 0.0;
   const Outcome rest = Run(Bumpy(), still);
   CHECK_NEAR(rest.result.relief, 1.0, 1e-9, "relief at lambda 0");
@@ -184,33 +185,33 @@ void TestNothingToAdvise()
     const std::string advice = Run(m.mesh, Defaults()).advice;
     CHECK(advice.empty(), m.name << " with defaults: '" << advice << "'");
   }
-  StyleOptions large = Defaults();
+  MethodOptions large = Defaults();
   large.lambda = 5.0;
   CHECK(Run(Meshes::Ellipsoid(3), large).advice.empty(), "an ellipsoid has no details to lose");
 }
 
 void TestEachAdvice()
 {
-  StyleOptions options = Defaults();
+  MethodOptions options = Defaults();
   options.normalBlend = 1.0;
   ExpectAdvice("normals as targets", Peanut(), options, "lower NormalBlend", " % of the triangles",
-    [](StyleOptions& o) { o.normalBlend = 0.0; });
+    [](MethodOptions& o) { o.normalBlend = 0.0; });
   options.normalBlends = Eigen::VectorXd::Ones(Peanut().P.rows());
   options.normalBlend = 0.0;
   ExpectAdvice("normals by array", Peanut(), options, "lower NormalBlend", " % of the triangles",
-    [](StyleOptions& o) { o.normalBlends *= 0.0; });
+    [](MethodOptions& o) { o.normalBlends *= 0.0; });
 
   options = Defaults();
   options.centerMode = CenterMode::Custom;
   options.custom.center = { 0.0, 0.0, 2.0 };
   ExpectAdvice("O outside", Meshes::Icosphere(3), options, "move Center into the model", "outside",
-    [](StyleOptions& o) {
+    [](MethodOptions& o) {
       o.custom.center = { 0.0, 0.0, 0.5 };
     });
 
   options = Defaults();
   options.sphericalWeighting = SphericalWeighting::Uniform;
-  const auto cotangent = [](StyleOptions& o)
+  const auto cotangent = [](MethodOptions& o)
   { o.sphericalWeighting = SphericalWeighting::Cotangent; };
   const TriangleMesh house = Meshes::House();
   ExpectAdvice("obtuse triangles", house, options, "SphericalWeighting Cotangent",
@@ -224,21 +225,21 @@ void TestEachAdvice()
 
   options = Defaults();
   options.lambda = 5.0;
-  ExpectAdvice("details lost", Bumpy(), options, "DetailSize 0.03", "10 % of their height",
-    [](StyleOptions& o) { o.detailSize = 0.03; });
-  ExpectAdvice("details lost", Bumpy(), options, "DetailSize 0.03", "10 % of their height",
-    [](StyleOptions& o) { o.lambda = 0.5; });
+  ExpectAdvice("details lost", Bumpy(), options, "DetailSize 0.06", "10 % of their height",
+    [](MethodOptions& o) { o.detailSize = 0.06; });
+  ExpectAdvice("details lost", Bumpy(), options, "DetailSize 0.06", "10 % of their height",
+    [](MethodOptions& o) { o.lambda = 0.5; });
 
   options = Defaults();
   ExpectAdvice("a cup around O", Meshes::Cup(0.1), options, "move Center into the model", "outside",
-    [](StyleOptions& o)
+    [](MethodOptions& o)
     {
       o.centerMode = CenterMode::Custom;
       o.custom.center = { 0.0, 0.0, -0.95 };
     });
   ExpectAdvice("two balls on a bar", Dumbbell(), options, "several centers (center ids)",
     " % of the surface faces away",
-    [](StyleOptions& o)
+    [](MethodOptions& o)
     {
       const TriangleMesh mesh = Dumbbell();
       for (int i = 0; i < mesh.P.rows(); ++i)
@@ -252,7 +253,7 @@ void TestEachAdvice()
 /// after the other in a fixed order.
 void TestOrder()
 {
-  StyleOptions options;
+  MethodOptions options;
   options.lambda = 5.0;
   options.normalBlend = 0.5;
   options.edgeWeighting = EdgeWeighting::FullEdge;
@@ -296,7 +297,7 @@ void TestOrder()
   options.sphericalWeighting = SphericalWeighting::Cotangent;
   expect("RefineLongEdges: 55 % of the area has edges above a tenth of the diagonal");
   surface.longEdgeShare = 0.05;
-  expect("DetailSize 0.03: details keep 10 % of their height");
+  expect("DetailSize 0.06: details keep 10 % of their height");
   surface.curvature = 1.5;
   expect("several centers (center ids): 46 % of the surface faces away from the center");
   result.facingAwayShare = 0.2;

@@ -51,7 +51,7 @@ Eigen::VectorXd RoundnessFactors(const TriangleMesh& mesh)
 std::string Describe(const StyleOptions& o)
 {
   std::ostringstream text;
-  text << "lambda " << o.lambda << " a " << o.normalBlend << " detail " << o.detailSize
+  text << "lambda " << o.lambda << " a " << o.normalBlend
        << (o.edgeWeighting == EdgeWeighting::FullEdge ? " full" : " half")
        << (o.sphericalWeighting == SphericalWeighting::Uniform ? " uniform" : " cotangent")
        << " concave " << static_cast<int>(o.concaveEdges)
@@ -134,7 +134,7 @@ void TestEveryCombination()
     StyleSolver solver;
     solver.SetMesh(c.mesh);
     Worst worst;
-    for (int bits = 0; bits < 64; ++bits)
+    for (int bits = 0; bits < 32; ++bits)
     {
       const auto bit = [bits](int k) { return ((bits >> k) & 1) != 0; };
       StyleOptions options;
@@ -144,8 +144,7 @@ void TestEveryCombination()
         bit(1) ? SphericalWeighting::Cotangent : SphericalWeighting::Uniform;
       options.anchor = bit(2) ? Anchor::LastPoint : Anchor::Centroid;
       options.initialGuess = bit(3) ? InitialGuess::Rest : InitialGuess::Blend;
-      options.detailSize = bit(4) ? 0.05 : 0.0;
-      if (bit(5))
+      if (bit(4))
       {
         options.roundnessFactors = RoundnessFactors(c.mesh);
       }
@@ -173,77 +172,73 @@ void TestSphereAndArrays()
     StyleSolver solver;
     solver.SetMesh(c.mesh);
     Worst worst;
-    for (const double detail : { 0.0, 0.05 })
+    StyleOptions basic;
+    basic.normalBlend = 0.3;
+    basic.custom.center = { 0.21, -0.13, 0.17 };
+    basic.custom.radius = 0.83;
+    for (const CenterMode center :
+      { CenterMode::PointMean, CenterMode::AreaCentroid, CenterMode::Custom })
     {
-      StyleOptions basic;
-      basic.normalBlend = 0.3;
-      basic.detailSize = detail;
-      basic.custom.center = { 0.21, -0.13, 0.17 };
-      basic.custom.radius = 0.83;
-      for (const CenterMode center :
-        { CenterMode::PointMean, CenterMode::AreaCentroid, CenterMode::Custom })
+      for (const RadiusMode radius :
+        { RadiusMode::EqualArea, RadiusMode::EqualVolume, RadiusMode::Custom })
       {
-        for (const RadiusMode radius :
-          { RadiusMode::EqualArea, RadiusMode::EqualVolume, RadiusMode::Custom })
+        StyleOptions options = basic;
+        options.centerMode = center;
+        options.radiusMode = radius;
+        Compare(solver, c, options, worst);
+      }
+    }
+    for (const double lambda : { 0.05, 5.0 })
+    {
+      StyleOptions options = basic;
+      options.lambda = lambda;
+      Compare(solver, c, options, worst);
+    }
+
+    Meshes::Random random(17);
+    StyleOptions options = basic;
+    options.normalBlends.resize(n);
+    for (int i = 0; i < n; ++i)
+    {
+      options.normalBlends[i] = random.Unit();
+    }
+    Compare(solver, c, options, worst);
+    options.normals = c.mesh.P; // unit, and clearly not the computed ones
+    options.normals.rowwise() -= Eigen::RowVector3d(0.1, 0.3, 0.05);
+    options.normals.rowwise().normalize();
+    Compare(solver, c, options, worst);
+
+    options = basic;
+    options.targets = c.mesh.P * 0.5;
+    options.targets.col(0) += 0.3 * c.mesh.P.col(1).cwiseAbs2();
+    Compare(solver, c, options, worst);
+    options.concaveEdges = ConcaveEdges::Flip;
+    Compare(solver, c, options, worst);
+
+    options = basic;
+    options.fixedPoints = { 7, 3, n - 2 };
+    options.fixedPositions.resize(3, 3);
+    options.fixedPositions.row(0) = c.mesh.P.row(7);
+    options.fixedPositions.row(1) = c.mesh.P.row(3) * 1.1;
+    options.fixedPositions.row(2) = c.mesh.P.row(n - 2) + Eigen::RowVector3d(0.05, 0.1, -0.05);
+    for (const Anchor anchor : { Anchor::Centroid, Anchor::LastPoint })
+    {
+      for (const InitialGuess guess : { InitialGuess::Blend, InitialGuess::Rest })
+      {
+        for (const SphericalWeighting weighting :
+          { SphericalWeighting::Uniform, SphericalWeighting::Cotangent })
         {
-          StyleOptions options = basic;
-          options.centerMode = center;
-          options.radiusMode = radius;
+          options.anchor = anchor;
+          options.initialGuess = guess;
+          options.sphericalWeighting = weighting;
           Compare(solver, c, options, worst);
         }
       }
-      for (const double lambda : { 0.05, 5.0 })
-      {
-        StyleOptions options = basic;
-        options.lambda = lambda;
-        Compare(solver, c, options, worst);
-      }
-
-      Meshes::Random random(17);
-      StyleOptions options = basic;
-      options.normalBlends.resize(n);
-      for (int i = 0; i < n; ++i)
-      {
-        options.normalBlends[i] = random.Unit();
-      }
-      Compare(solver, c, options, worst);
-      options.normals = c.mesh.P; // unit, and clearly not the computed ones
-      options.normals.rowwise() -= Eigen::RowVector3d(0.1, 0.3, 0.05);
-      options.normals.rowwise().normalize();
-      Compare(solver, c, options, worst);
-
-      options = basic;
-      options.targets = c.mesh.P * 0.5;
-      options.targets.col(0) += 0.3 * c.mesh.P.col(1).cwiseAbs2();
-      Compare(solver, c, options, worst);
-      options.concaveEdges = ConcaveEdges::Flip;
-      Compare(solver, c, options, worst);
-
-      options = basic;
-      options.fixedPoints = { 7, 3, n - 2 };
-      options.fixedPositions.resize(3, 3);
-      options.fixedPositions.row(0) = c.mesh.P.row(7);
-      options.fixedPositions.row(1) = c.mesh.P.row(3) * 1.1;
-      options.fixedPositions.row(2) = c.mesh.P.row(n - 2) + Eigen::RowVector3d(0.05, 0.1, -0.05);
-      for (const Anchor anchor : { Anchor::Centroid, Anchor::LastPoint })
-      {
-        for (const InitialGuess guess : { InitialGuess::Blend, InitialGuess::Rest })
-        {
-          for (const SphericalWeighting weighting :
-            { SphericalWeighting::Uniform, SphericalWeighting::Cotangent })
-          {
-            options.anchor = anchor;
-            options.initialGuess = guess;
-            options.sphericalWeighting = weighting;
-            Compare(solver, c, options, worst);
-          }
-        }
-      }
-      // One fixed point: the component is held by it alone, not by its centroid.
-      options.fixedPoints.resize(1);
-      options.fixedPositions.conservativeResize(1, 3);
-      Compare(solver, c, options, worst);
     }
+    // One fixed point: the component is held by it alone, not by its centroid.
+    options.fixedPoints.resize(1);
+    options.fixedPositions.conservativeResize(1, 3);
+    Compare(solver, c, options, worst);
     Print(c.name + ", sphere and arrays", worst);
   }
 }

@@ -121,7 +121,7 @@ void TestSteps()
   const auto edges = [&] { return HalfEdgeDifferences(RandomPoints(n, random), F); };
   const EdgeWeights weights = ComputeEdgeWeights(RandomCotangents(m, random), F,
     Eigen::VectorXd::Constant(n, 0.7), EdgeWeighting::HalfEdge, SphericalWeighting::Uniform);
-  StyleEnergy energy(topology, weights, HalfEdgeDifferences(P, F), edges(), edges(), 1);
+  StyleEnergy energy(topology, weights, HalfEdgeDifferences(P, F), edges(), 1);
   const CellPattern pattern(topology);
   energy.PrepareSteps(pattern);
   const Points Q = RandomPoints(n, random);

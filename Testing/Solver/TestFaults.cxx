@@ -7,7 +7,7 @@
 #include "FixedIterations.h"
 #include "Meshes.h"
 #include "NonlinearFeature.h"
-#include "StyleSolver.h"
+#include "SphericalStyleMethod.h"
 
 #include <algorithm>
 #include <atomic>
@@ -109,6 +109,13 @@ void CheckFaults(const char* name, const Options& before, const Options& options
   }
   CHECK(faults > 100, name << ": only " << faults << " allocations");
 }
+
+MethodOptions Method(const StyleOptions& options)
+{
+  MethodOptions method;
+  static_cast<StyleOptions&>(method) = options;
+  return method;
+}
 }
 
 int main()
@@ -117,12 +124,16 @@ int main()
   before.lambda = 2.0;
   for (const int threads : { 1, 3 })
   {
-    StyleOptions details = Fixed({}, 3);
-    details.threads = threads;
-    details.detailSize = 0.05;
-    details.componentCoupling = ComponentCoupling::Stitched;
-    details.edgeWeighting = EdgeWeighting::IntrinsicDelaunay;
-    CheckFaults<StyleSolver>("details", before, details);
+    StyleOptions stitched = Fixed({}, 3);
+    stitched.threads = threads;
+    stitched.componentCoupling = ComponentCoupling::Stitched;
+    stitched.edgeWeighting = EdgeWeighting::IntrinsicDelaunay;
+    CheckFaults<StyleSolver>("intrinsic triangles, stitched", before, stitched);
+    MethodOptions coarse = Method(before);
+    coarse.detailSize = 0.3;
+    MethodOptions details = Method(stitched);
+    details.detailSize = 0.2;
+    CheckFaults<SphericalStyleMethod>("details", coarse, details);
     StyleOptions held = Fixed({}, 3);
     held.threads = threads;
     held.fixedPoints = { 1, 2, 3 };

@@ -3,7 +3,7 @@
 //
 // Several centers [energy]: shares, spheres of the parts, targets by brute force, one center given
 // back, three balls of a snowman; and spheres of the points that are not fixed.
-#include "BaseSurface.h"
+#include "CenterShares.h"
 #include "Check.h"
 #include "FixedIterations.h"
 #include "Meshes.h"
@@ -209,29 +209,25 @@ void TestOneCenterGivenBack()
   const Vector3d O(0.1, -0.05, 0.2);
   for (const double a : { 0.0, 0.7 })
   {
-    for (const double detail : { 0.0, 0.05 })
+    StyleOptions one = Fixed({}, 6);
+    one.lambda = 1.3;
+    one.normalBlend = a;
+    const Points byDefault = Solved(mesh, one);
+    CHECK(Meshes::SameBits(byDefault, Solved(mesh, WithIds(one, std::vector<int>(n, 0), 0.1))),
+      "one id for all should be the same as none");
+    one.centerMode = CenterMode::Custom;
+    one.radiusMode = RadiusMode::Custom;
+    one.custom = { O, 0.8 };
+    const Points custom = Solved(mesh, one);
+    for (const double blend : { 0.0, 0.1 })
     {
-      StyleOptions one = Fixed({}, 6);
-      one.lambda = 1.3;
-      one.normalBlend = a;
-      one.detailSize = detail;
-      const Points byDefault = Solved(mesh, one);
-      CHECK(Meshes::SameBits(byDefault, Solved(mesh, WithIds(one, std::vector<int>(n, 0), 0.1))),
-        "one id for all should be the same as none");
-      one.centerMode = CenterMode::Custom;
-      one.radiusMode = RadiusMode::Custom;
-      one.custom = { O, 0.8 };
-      const Points custom = Solved(mesh, one);
-      for (const double blend : { 0.0, 0.1 })
-      {
-        StyleOptions three = WithIds(one, IdsAlong(mesh.P, { 0, 1, 0 }, { 0.3, 0.7 }), blend);
-        CHECK_NEAR(Meshes::Distance(custom, Solved(mesh, three)), 0.0, 1e-11,
-          "a " << a << ", detail " << detail << ", blend " << blend << ": three at one place");
-        three.centerMode = CenterMode::PointMean;
-        three.centers = O.transpose().replicate<3, 1>();
-        CHECK_NEAR(Meshes::Distance(custom, Solved(mesh, three)), 0.0, 1e-11,
-          "a " << a << ", detail " << detail << ", blend " << blend << ": three given centers");
-      }
+      StyleOptions three = WithIds(one, IdsAlong(mesh.P, { 0, 1, 0 }, { 0.3, 0.7 }), blend);
+      CHECK_NEAR(Meshes::Distance(custom, Solved(mesh, three)), 0.0, 1e-11,
+        "a " << a << ", blend " << blend << ": three at one place");
+      three.centerMode = CenterMode::PointMean;
+      three.centers = O.transpose().replicate<3, 1>();
+      CHECK_NEAR(Meshes::Distance(custom, Solved(mesh, three)), 0.0, 1e-11,
+        "a " << a << ", blend " << blend << ": three given centers");
     }
   }
 }

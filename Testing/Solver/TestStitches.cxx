@@ -9,9 +9,9 @@
 #include "Frame.h"
 #include "Meshes.h"
 #include "Solved.h"
+#include "Stitches.h"
 #include "StyleSolver.h"
 #include "SurfaceMeasures.h"
-#include "WallStitches.h"
 
 #include <Eigen/Dense>
 
@@ -364,7 +364,7 @@ EnergyTriangles Surface(const TriangleMesh& mesh)
 }
 
 // A stitch is an edge in the cells of its two ends only: of the same weights as an edge between two
-// equilateral triangles, which lies in four cells, together; or, through walls, of a multiple.
+// equilateral triangles, which lies in four cells, together.
 void CheckEnergy(const TriangleMesh& mesh, const EnergyTriangleOptions& options,
   const std::vector<Stitch>& stitches)
 {
@@ -405,7 +405,7 @@ void CheckEnergy(const TriangleMesh& mesh, const EnergyTriangleOptions& options,
       EdgeWeights weights = ComputeEdgeWeights(of.Cotangents, G,
         Eigen::VectorXd::Constant(n, lambda), style.edges, style.spherical, of.NumberOfStitches);
       return StyleEnergy(of.Topology, std::move(weights), HalfEdgeDifferences(mesh.P, G),
-        HalfEdgeDifferences(T, G), HalfEdgeVectors(0, 9), 1)
+        HalfEdgeDifferences(T, G), 1)
         .Evaluate(Q, R);
     };
     const EnergyTriangles surface = Surface(mesh);
@@ -413,11 +413,10 @@ void CheckEnergy(const TriangleMesh& mesh, const EnergyTriangleOptions& options,
     for (const Stitch& s : stitches)
     {
       const auto difference = [&s](const Points& x) -> Vector3d { return x.row(s.u) - x.row(s.v); };
-      const double half = 0.5 * s.weight / StitchWeight;
       for (const int y : { s.u, s.v })
       {
-        rigid += half * style.c * (difference(Q) - R[y] * difference(mesh.P)).squaredNorm();
-        spherical += half * style.l * (difference(Q) - R[y] * difference(T)).squaredNorm();
+        rigid += 0.5 * style.c * (difference(Q) - R[y] * difference(mesh.P)).squaredNorm();
+        spherical += 0.5 * style.l * (difference(Q) - R[y] * difference(T)).squaredNorm();
       }
     }
     CHECK_NEAR(energy(triangles).rigid - energy(surface).rigid, rigid, 1e-12 * rigid,
@@ -434,12 +433,6 @@ void TestEnergyOfAStitch()
   EnergyTriangleOptions options;
   options.stitched = true;
   CheckEnergy(parts, options, Find(parts));
-
-  // A plate, some of whose stitches are edges of the mesh too.
-  const TriangleMesh plate = Meshes::Perturbed(Meshes::Box(2, { 1, 1, 0.02 }), 0.005, 2);
-  options = {};
-  options.wallSize = 0.05;
-  CheckEnergy(plate, options, FindWallStitches(plate.P, plate.F, options.wallSize, 1));
 }
 
 StyleOptions Coupled(StyleOptions options)
@@ -579,30 +572,26 @@ CutResult SolveCut(const TriangleMesh& ball, int ring, StyleOptions options)
   return { difference(Solved(halves, Coupled(options))), difference(Solved(halves, options)) };
 }
 
-// A ball cut in two and stitched comes out as the ball, within a 50th of its diagonal (a 200th
-// without details); the halves alone do not.
+// A ball cut in two and stitched comes out as the ball, within a 200th of its diagonal; the halves
+// alone do not.
 void TestCutBall()
 {
-  for (const double detailSize : { 0.0, 0.05 })
+  for (const double lambda : { 0.5, 5.0 })
   {
-    for (const double lambda : { 0.5, 5.0 })
+    for (const int around : { 32, 64 })
     {
-      for (const int around : { 32, 64 })
-      {
-        TriangleMesh ball = Meshes::EllipsoidUV(around, around - 11); // with a ring where z = 0
-        ball.P.col(0).array() += 0.5 * ball.P.col(2).array().square();
-        StyleOptions options;
-        options.lambda = lambda;
-        options.detailSize = detailSize;
-        const CutResult result = SolveCut(ball, around, options);
-        std::cout << "ball cut along " << around << " points, DetailSize " << detailSize
-                  << ", lambda " << lambda << ": stitched " << result.stitched << ", independent "
-                  << result.independent << " diagonals from the whole" << std::endl;
-        CHECK(result.stitched <= (detailSize > 0.0 ? 0.02 : 0.005),
-          "stitched halves differ by " << result.stitched << " diagonals");
-        CHECK(result.independent >= 3.0 * result.stitched && result.independent >= 0.01,
-          "independent halves differ by " << result.independent << " diagonals only");
-      }
+      TriangleMesh ball = Meshes::EllipsoidUV(around, around - 11); // with a ring where z = 0
+      ball.P.col(0).array() += 0.5 * ball.P.col(2).array().square();
+      StyleOptions options;
+      options.lambda = lambda;
+      const CutResult result = SolveCut(ball, around, options);
+      std::cout << "ball cut along " << around << " points, lambda " << lambda << ": stitched "
+                << result.stitched << ", independent " << result.independent
+                << " diagonals from the whole" << std::endl;
+      CHECK(
+        result.stitched <= 0.005, "stitched halves differ by " << result.stitched << " diagonals");
+      CHECK(result.independent >= 3.0 * result.stitched && result.independent >= 0.01,
+        "independent halves differ by " << result.independent << " diagonals only");
     }
   }
 }
@@ -654,9 +643,8 @@ void TestOtherOptions()
   styles[1].first = "per-point lambda";
   styles[1].second.sphericalWeighting = SphericalWeighting::Cotangent;
   styles[1].second.roundnessFactors = Eigen::VectorXd::LinSpaced(n, 0.0, 2.0);
-  styles[2].first = "normals, details";
+  styles[2].first = "normals";
   styles[2].second.normalBlend = 0.3;
-  styles[2].second.detailSize = 0.03;
   styles[3].first = "several centers";
   styles[3].second.centerIds = Parts(mesh);
   styles[3].second.centerBlend = 0.02;

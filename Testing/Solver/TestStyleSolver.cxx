@@ -6,7 +6,7 @@
 #include "Check.h"
 #include "FixedIterations.h"
 #include "Meshes.h"
-#include "StyleSolver.h"
+#include "SphericalStyleMethod.h"
 #include "SurfaceMeasures.h"
 
 #include <Eigen/Dense>
@@ -36,8 +36,6 @@ std::vector<std::pair<std::string, StyleOptions>> Styles()
   options.normalBlend = 0.4;
   options.concaveEdges = ConcaveEdges::Flip;
   styles.push_back({ "normals, flipped", options });
-  options.detailSize = 0.05;
-  styles.push_back({ "details", options });
   options.sphericalWeighting = SphericalWeighting::Cotangent;
   options.centerMode = CenterMode::AreaCentroid;
   styles.push_back({ "cotangent weights", options });
@@ -65,8 +63,6 @@ void TestFactorsKept()
   CHECK(!factored(), "a new radius should not factor");
   options.concaveEdges = ConcaveEdges::Flip;
   CHECK(!factored(), "flipping edges should not factor");
-  options.detailSize = 0.05;
-  CHECK(!factored(), "a new detail size should not factor the system of the global step");
   options.anchor = Anchor::LastPoint;
   CHECK(!factored(), "a new anchor should not factor");
   options.targets = House().P;
@@ -113,7 +109,7 @@ void TestSequences()
   for (int step = 0; step < 200; ++step)
   {
     const int n = mesh.P.rows();
-    switch (pick(16))
+    switch (pick(15))
     {
       case 0:
         options.lambda = pick(3) == 0 ? 0.0 : 2.0 * random.Unit();
@@ -130,36 +126,33 @@ void TestSequences()
         options.custom.radius = 0.5 + random.Unit();
         break;
       case 4:
-        options.detailSize = pick(2) * 0.1 * random.Unit();
-        break;
-      case 5:
         options.sphericalWeighting = static_cast<SphericalWeighting>(pick(2));
         break;
-      case 6:
+      case 5:
         options.concaveEdges = static_cast<ConcaveEdges>(pick(3));
         break;
-      case 7:
+      case 6:
         options.edgeWeighting = static_cast<EdgeWeighting>(pick(3));
         break;
-      case 8:
+      case 7:
         options.anchor = static_cast<Anchor>(pick(2));
         break;
-      case 9:
+      case 8:
         options.initialGuess = static_cast<InitialGuess>(pick(2));
         break;
-      case 10:
+      case 9:
         options.loop.stopRule = static_cast<StopRule>(pick(3));
         options.loop.acceleration = pick(2) == 0;
         options.loop.maximumNumberOfIterations = 1 + pick(10);
         break;
-      case 11:
+      case 10:
         options.roundnessFactors.resize(pick(2) * n);
         for (double& factor : options.roundnessFactors)
         {
           factor = 2.0 * random.Unit();
         }
         break;
-      case 12:
+      case 11:
         options.fixedPoints.clear();
         for (int k = pick(4); k > 0; --k)
         {
@@ -172,10 +165,10 @@ void TestSequences()
             mesh.P.row(options.fixedPoints[k]) + 0.1 * random.InCube().transpose();
         }
         break;
-      case 13:
+      case 12:
         options.componentCoupling = static_cast<ComponentCoupling>(pick(2));
         break;
-      case 14: // the same triangles, other points
+      case 13: // the same triangles, other points
         mesh = Meshes::Perturbed(mesh, 0.005, step);
         solver.SetMesh(mesh);
         break;
@@ -271,13 +264,7 @@ void TestInvariance()
         what << ": scaled by a power of two the bits should be the same");
 
       other.P = mesh.P * turn.transpose();
-      // A box's diagonal changes with rotation, and with it the detail size, a fraction of it.
-      StyleOptions turned = style.second;
-      turned.detailSize *= diagonal / Meshes::Diagonal(other.P);
-      StyleSolver solver;
-      solver.SetMesh(other);
-      solver.Solve(turned);
-      CheckSame(solver.GetPositions() * turn, expected, diagonal, what + ", rotated");
+      CheckSame(solve(other) * turn, expected, diagonal, what + ", rotated");
 
       for (int i = 0; i < n; ++i)
       {
@@ -324,7 +311,6 @@ void TestThreads()
   {
     StyleOptions options = Fixed({}, 4);
     options.normalBlend = 0.3 * style;
-    options.detailSize = 0.02 * style;
     options.concaveEdges = style == 1 ? ConcaveEdges::Flip : ConcaveEdges::Keep;
     options.loop.acceleration = style == 1;
     Points expected;
@@ -585,20 +571,16 @@ void TestSlivers()
     for (const EdgeWeighting weighting :
       { EdgeWeighting::HalfEdge, EdgeWeighting::IntrinsicDelaunay })
     {
-      for (const double detailSize : { 0.0, 0.03 })
-      {
-        StyleSolver solver;
-        solver.SetMesh(mesh);
-        StyleOptions options = Fixed({}, 5);
-        options.lambda = 0.0;
-        options.detailSize = detailSize;
-        options.edgeWeighting = weighting;
-        const StyleReport report = solver.Solve(options);
-        CHECK(report.linearSolver == "multifrontal LLT",
-          "seed " << seed << ": solved by " << report.linearSolver);
-        const double moved = Meshes::Distance(solver.GetPositions(), mesh.P);
-        CHECK(moved <= 1e-4, "seed " << seed << ": points moved by " << moved);
-      }
+      StyleSolver solver;
+      solver.SetMesh(mesh);
+      StyleOptions options = Fixed({}, 5);
+      options.lambda = 0.0;
+      options.edgeWeighting = weighting;
+      const StyleReport report = solver.Solve(options);
+      CHECK(report.linearSolver == "multifrontal LLT",
+        "seed " << seed << ": solved by " << report.linearSolver);
+      const double moved = Meshes::Distance(solver.GetPositions(), mesh.P);
+      CHECK(moved <= 1e-4, "seed " << seed << ": points moved by " << moved);
     }
   }
 }
@@ -622,7 +604,9 @@ void TestRefusedOptions()
   for (const double bad : { -0.1, nan, infinite })
   {
     refused("lambda", [bad](StyleOptions& o) { o.lambda = bad; });
-    refused("detail size", [bad](StyleOptions& o) { o.detailSize = bad; });
+    MethodOptions details;
+    details.detailSize = bad;
+    CHECK_THROWS(std::invalid_argument, CheckOptions(details, n), "detail size");
     refused("Radius",
       [bad](StyleOptions& o)
       {

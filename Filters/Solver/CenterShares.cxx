@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BaseSurface.h"
+#include "CenterShares.h"
 
 #include "EdgeMatrix.h"
 #include "SurfaceMeasures.h"
@@ -13,12 +13,7 @@ namespace
 {
 constexpr double ShareLeft = 1e-12; // there is no next solve that would make up for it
 
-Eigen::VectorXd AreasOr(const Eigen::VectorXd& areas, const Points& P, const MeshTopology& topology)
-{
-  return areas.size() > 0 ? areas : PointAreas(P, topology.GetTriangles());
-}
-}
-
+/// Two smoothing steps. @param X  n x any, one field per column
 Eigen::MatrixXd SmoothFields(const Eigen::VectorXd& areas, const MeshTopology& topology,
   const HalfEdgeScalars& cotangents, double size, const Eigen::MatrixXd& X, LinearMethod method,
   int threads)
@@ -43,11 +38,6 @@ Eigen::MatrixXd SmoothFields(const Eigen::VectorXd& areas, const MeshTopology& t
   }
   return result;
 }
-
-Points SmoothBase(const Points& P, const MeshTopology& topology, const HalfEdgeScalars& cotangents,
-  double size, const Eigen::VectorXd& areas, LinearMethod method, int threads)
-{
-  return SmoothFields(AreasOr(areas, P, topology), topology, cotangents, size, P, method, threads);
 }
 
 Eigen::MatrixXd CenterShares(const Points& P, const MeshTopology& topology,
@@ -62,7 +52,7 @@ Eigen::MatrixXd CenterShares(const Points& P, const MeshTopology& topology,
   if (size > 0.0)
   {
     // Obtuse triangles can bring a share below 0.
-    const Eigen::VectorXd M = AreasOr(areas, P, topology);
+    const Eigen::VectorXd M = areas.size() > 0 ? areas : PointAreas(P, topology.GetTriangles());
     shares = SmoothFields(M, topology, cotangents, size, shares, method, threads).cwiseMax(0.0);
     shares.array().colwise() /= shares.rowwise().sum().array().eval();
   }

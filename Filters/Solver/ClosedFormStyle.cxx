@@ -1,0 +1,701 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ClosedFormStyle.h"
+
+#include "LimbThickness.h"
+#include "LocalStep.h"
+#include "Orientation.h"
+#include "Parallel.h"
+#include "Stopwatch.h"
+#include "SurfaceGrid.h"
+#include "SurfaceMeasures.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace SphericalStyle
+{
+namespace
+{
+/// Of the area of B' to that of what is carried on it, seen along the turned normal: below it
+/// details give way.
+constexpr double SmallestStretch = 0.5;
+/// The base counts in full where smoothing takes 1 to within 1 %, and not where it is off by 3 %.
+constexpr double MostKnown = 1.5;
+constexpr double LossOfKnown = 50.0;
+constexpr int RoundsOfYield = 2;
+/// Of the norm: the root of a smooth field of fourth powers is near to the largest around.
+constexpr int SharpnessOfYield = 4;
+using Gradient = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+
+/// Area vector of the image of an area vector N of the rest surface, G the gradient of the map.
+Eigen::Vector3d AreaVectorOf(const Gradient& G, const Eigen::Vector3d& N)
+{
+  const double length = N.norm();
+  if (!(length > 0.0))
+  {
+    return Eigen::Vector3d::Zero();
+  }
+  const Eigen::Vector3d m = N / length;
+  const Eigen::Vector3d u = m.unitOrthogonal();
+  return length * (G * u).cross(G * m.cross(u));
+}
+
+int NumberOfCenters(const ClosedFormOptions& o)
+{
+  return o.centerIds.empty() ? 1 : 1 + *std::max_element(o.centerIds.begin(), o.centerIds.end());
+}
+
+/// Whether normals have a say anywhere.
+bool UsesNormals(const ClosedFormOptions& o)
+{
+  return o.targets.rows() == 0 &&
+    (o.normalBlends.size() > 0 ? o.normalBlends.maxCoeff() > 0.0 : o.normalBlend > 0.0);
+}
+}
+
+class ClosedFormStyle::State
+{
+public:
+  const Points* P = nullptr;
+  const Triangles* F = nullptr;
+  // Depends on the mesh.
+  Eigen::VectorXd Areas; // of the points
+  SizeOptions KnownSize; // whose rest length this is: with Off it is 1
+  double RestLength = 1.0;
+  bool IsOriented = false;
+  Triangles Turned; // facing outward; none where they do already
+  // Depends on the detail size too.
+  double Size = -1.0;
+  SurfaceGrid Grid;
+  int Walls = 0;
+  Points Base;      // none with detail size 0
+  Fields Gradients; // of the base, at the samples
+  Points Normals;   // of the base, or given
+  bool AreGivenNormals = false;
+  Eigen::VectorXd Thickness;
+  double ThicknessRadius = 0.0; // the radius that bounds it
+  bool HasSphere = false;       // of the whole base, for these modes
+  CenterMode CenterOf = CenterMode::Custom;
+  RadiusMode RadiusOf = RadiusMode::Custom;
+  Sphere WholeSphere;
+  // Depends on the centers' ids and blend.
+  std::vector<int> CenterIds;
+  double CenterBlend = -1.0;
+  SurfaceGrid CenterGrid;
+  Fields Shares;
+  // Of the last solve.
+  Points T; // directions t
+  Points Targets;
+  Points Moved; // B'
+  Points Positions;
+  Matrices R;
+
+  const Points& GetBase() const { return this->Size > 0.0 ? this->Base : *this->P; }
+  const Triangles& Outward();
+  void UpdateGrid(const ClosedFormOptions& o, ClosedFormReport& report);
+  void KeepWhatIsUnknown(int threads);
+  void UpdateNormals(const ClosedFormOptions& o);
+  void UpdateThickness(const ClosedFormOptions& o, double radius);
+  void UpdateShares(const ClosedFormOptions& o);
+  std::vector<Sphere> Spheres(const ClosedFormOptions& o);
+  Sphere SphereOfAll(const ClosedFormOptions& o);
+  Points Directions(const ClosedFormOptions& o, const Sphere& sphere, std::vector<int>& onCenter);
+  void MakeTargets(const ClosedFormOptions& o, ClosedFormReport& report);
+  void JoinCenters(const ClosedFormOptions& o, const std::vector<Points>& targets);
+  void BlendBase(const ClosedFormOptions& o);
+  void CarryDetails(const ClosedFormOptions& o);
+  bool Yield(const ClosedFormOptions& o, const Points& turned, const Eigen::VectorXd& areas);
+  void Place(const ClosedFormOptions& o, ClosedFormReport& report);
+};
+
+/// The triangles, made to agree on their outside and turned so that the volume is positive.
+const Triangles& ClosedFormStyle::State::Outward()
+{
+  if (!this->IsOriented)
+  {
+    Triangles oriented = OrientAlike(*this->P, *this->F);
+    if (EnclosedVolume(*this->P, oriented) < 0.0)
+    {
+      oriented.col(1).swap(oriented.col(2));
+    }
+    if (oriented == *this->F)
+    {
+      oriented.resize(0, 3);
+    }
+    this->Turned = std::move(oriented);
+    this->IsOriented = true;
+  }
+  return this->Turned.rows() > 0 ? this->Turned : *this->F;
+}
+
+/// [grid] [base]
+void ClosedFormStyle::State::UpdateGrid(const ClosedFormOptions& o, ClosedFormReport& report)
+{
+  const Stopwatch watch;
+  if (o.detailSize != this->Size)
+  {
+    this->Size = -1.0;
+    this->Base.resize(0, 3);
+    this->Normals.resize(0, 3);
+    this->Thickness.resize(0);
+    this->HasSphere = false;
+    this->Grid = {};
+    this->Walls = 0;
+    if (o.detailSize > 0.0)
+    {
+      const Triangles& outward = this->Outward();
+      this->Grid = SurfaceGrid(*this->P, outward, o.detailSize, o.threads);
+      const std::vector<GridPair> walls = FindWalls(this->Grid, *this->P, outward, o.threads);
+      this->Walls = static_cast<int>(walls.size());
+      this->Grid.Factor(walls, o.threads);
+      const Fields once = this->Grid.Smooth(this->Grid.GetPlaces(), o.threads);
+      const Fields twice = this->Grid.Smooth(this->Grid.AtSamples(once, o.threads), o.threads);
+      this->Base = this->Grid.AtPoints(twice, *this->P, o.threads);
+      this->KeepWhatIsUnknown(o.threads);
+      this->Gradients = this->Grid.Gradients(this->Base, o.threads);
+    }
+    this->Size = o.detailSize;
+  }
+  report.functions = this->Grid.GetNumberOfFunctions();
+  report.spacing = this->Grid.GetSpacing();
+  report.coarser = this->Size > 0.0 && this->Grid.IsCoarser();
+  report.walls = this->Walls;
+  report.baseSeconds += watch.Seconds();
+}
+
+/// A loose part may be so small that the ridge of A_s outweighs it: what is smoothed there becomes
+/// 0. Where the field 1 does not stay 1, the base is the model.
+void ClosedFormStyle::State::KeepWhatIsUnknown(int threads)
+{
+  const Fields ones = Fields::Ones(this->Grid.GetNumberOfSamples(), 1);
+  const Fields once = this->Grid.AtSamples(this->Grid.Smooth(ones, threads), threads);
+  const Fields known = this->Grid.AtPoints(this->Grid.Smooth(once, threads), *this->P, threads);
+  for (Eigen::Index i = 0; i < known.rows(); ++i)
+  {
+    const double share =
+      std::clamp(MostKnown - LossOfKnown * std::abs(1.0 - known(i, 0)), 0.0, 1.0);
+    this->Base.row(i) = this->P->row(i) + share * (this->Base.row(i) - this->P->row(i));
+  }
+}
+
+void ClosedFormStyle::State::UpdateNormals(const ClosedFormOptions& o)
+{
+  const bool given = this->Size == 0.0 && o.normals.rows() > 0;
+  if (given)
+  {
+    this->Normals = o.normals;
+    this->AreGivenNormals = true;
+    return;
+  }
+  if (this->Normals.rows() > 0 && !this->AreGivenNormals)
+  {
+    return;
+  }
+  this->AreGivenNormals = false;
+  if (this->Size == 0.0)
+  {
+    this->Normals = PointNormals(*this->P, this->Outward());
+    return;
+  }
+  const int samples = this->Grid.GetNumberOfSamples();
+  Fields normals(samples, 3);
+  for (int k = 0; k < samples; ++k)
+  {
+    normals.row(k) =
+      AreaVectorOf(Gradient(this->Gradients.row(k).data()), this->Grid.GetAreaVectors().row(k)) /
+      this->Grid.GetWeights()(k);
+  }
+  this->Normals = this->Grid.AtPoints(this->Grid.Smooth(normals, o.threads), *this->P, o.threads);
+  for (Eigen::Index i = 0; i < this->Normals.rows(); ++i)
+  {
+    this->Normals.row(i) = this->Normals.row(i).stableNormalized().eval();
+  }
+}
+
+/// [limb]
+void ClosedFormStyle::State::UpdateThickness(const ClosedFormOptions& o, double radius)
+{
+  if (this->Thickness.size() == 0 || radius != this->ThicknessRadius)
+  {
+    this->Thickness = LimbThickness(*this->P, this->GetBase(), this->Outward(), radius, o.threads);
+    this->ThicknessRadius = radius;
+  }
+}
+
+void ClosedFormStyle::State::UpdateShares(const ClosedFormOptions& o)
+{
+  const int centers = NumberOfCenters(o);
+  if (o.centerIds == this->CenterIds && o.centerBlend == this->CenterBlend)
+  {
+    return;
+  }
+  this->CenterBlend = -1.0;
+  this->Shares.resize(0, 0);
+  this->CenterGrid = {};
+  if (centers > 1)
+  {
+    this->Shares = Fields::Zero(this->P->rows(), centers);
+    for (Eigen::Index i = 0; i < this->P->rows(); ++i)
+    {
+      this->Shares(i, o.centerIds[i]) = 1.0;
+    }
+    constexpr double Finest = 0.02; // the grid of the joints, where their width is less
+    this->CenterGrid = SurfaceGrid(*this->P, *this->F, std::max(o.centerBlend, Finest), o.threads);
+    if (o.centerBlend > 0.0)
+    {
+      this->CenterGrid.Factor({}, o.threads);
+      const Fields once =
+        this->CenterGrid.Smooth(this->CenterGrid.Means(this->Shares, o.threads), o.threads);
+      const Fields twice =
+        this->CenterGrid.Smooth(this->CenterGrid.AtSamples(once, o.threads), o.threads);
+      this->Shares = this->CenterGrid.AtPoints(twice, *this->P, o.threads).cwiseMax(0.0);
+      this->Shares.array().colwise() /= this->Shares.rowwise().sum().array().eval();
+    }
+    this->CenterGrid.FactorPoisson(o.threads);
+  }
+  this->CenterIds = o.centerIds;
+  this->CenterBlend = o.centerBlend;
+}
+
+/// What no drag changes is worked out once.
+Sphere ClosedFormStyle::State::SphereOfAll(const ClosedFormOptions& o)
+{
+  if (!this->HasSphere || o.centerMode != this->CenterOf || o.radiusMode != this->RadiusOf)
+  {
+    this->HasSphere = false;
+    this->WholeSphere =
+      TargetSphere(this->GetBase(), *this->F, o.centerMode, o.radiusMode, o.custom);
+    this->CenterOf = o.centerMode;
+    this->RadiusOf = o.radiusMode;
+    this->HasSphere = true;
+  }
+  // Custom modes take what is given, and say what is wrong with it.
+  const Sphere& known = this->WholeSphere;
+  const Sphere sphere = { o.centerMode == CenterMode::Custom ? o.custom.center : known.center,
+    o.radiusMode == RadiusMode::Custom ? o.custom.radius : known.radius };
+  return TargetSphere(*this->P, *this->F, CenterMode::Custom, RadiusMode::Custom, sphere);
+}
+
+/// The target sphere of each center.
+std::vector<Sphere> ClosedFormStyle::State::Spheres(const ClosedFormOptions& o)
+{
+  const int centers = NumberOfCenters(o);
+  const bool ofAll = !o.sphereOfFreePoints || o.fixedPoints.empty();
+  if (centers == 1 && ofAll)
+  {
+    return { this->SphereOfAll(o) };
+  }
+  std::vector<int> parts = o.centerIds;
+  parts.resize(this->P->rows(), 0);
+  if (!ofAll)
+  {
+    for (const int i : o.fixedPoints)
+    {
+      parts[i] = -1;
+    }
+  }
+  std::vector<Sphere> spheres =
+    TargetSpheres(this->GetBase(), *this->F, parts, centers, o.centerMode, o.radiusMode, o.custom);
+  for (Eigen::Index k = 0; k < o.centers.rows(); ++k)
+  {
+    spheres[k].center = o.centers.row(k);
+  }
+  return spheres;
+}
+
+/// t = (T - O) / r for one center [toy].
+Points ClosedFormStyle::State::Directions(
+  const ClosedFormOptions& o, const Sphere& sphere, std::vector<int>& onCenter)
+{
+  if (o.targets.rows() > 0)
+  {
+    return o.targets;
+  }
+  Points t = CenterDirections(this->GetBase(), *this->F, sphere.center, onCenter);
+  if (!UsesNormals(o))
+  {
+    return t;
+  }
+  const bool own = o.normalRadius == NormalRadius::OwnThickness;
+  ParallelFor(static_cast<int>(t.rows()), o.threads,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        const double a = o.normalBlends.size() > 0 ? o.normalBlends(i) : o.normalBlend;
+        const double rho = own ? this->Thickness(i) / sphere.radius : 1.0;
+        t.row(i) = (1.0 - a) * t.row(i) + a * rho * this->Normals.row(i);
+      }
+    });
+  return t;
+}
+
+/// Several centers: parts keep together. Where the shares change, the targets of the centers do not
+/// agree; the smooth field Y that undoes the gradient of that disagreement moves each part as a
+/// whole [centers].
+void ClosedFormStyle::State::JoinCenters(
+  const ClosedFormOptions& o, const std::vector<Points>& targets)
+{
+  const int samples = this->CenterGrid.GetNumberOfSamples();
+  Fields slope = Fields::Zero(samples, 9);
+  for (std::size_t k = 0; k < targets.size(); ++k)
+  {
+    Points share = Points::Zero(this->P->rows(), 3);
+    share.col(0) = this->Shares.col(static_cast<Eigen::Index>(k));
+    const Fields gradients = this->CenterGrid.Gradients(share, o.threads);
+    const Fields target = this->CenterGrid.Means(targets[k], o.threads);
+    for (int i = 0; i < samples; ++i)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        slope.row(i).segment<3>(3 * axis) -=
+          this->CenterGrid.GetWeights()(i) * target(i, axis) * gradients.row(i).head<3>();
+      }
+    }
+  }
+  const Fields Y = this->CenterGrid.Solve(Fields::Zero(samples, 3), slope, o.threads);
+  this->Targets += this->CenterGrid.AtPoints(Y, *this->P, o.threads);
+}
+
+void ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFormReport& report)
+{
+  report.spheres = this->Spheres(o);
+  if (UsesNormals(o))
+  {
+    this->UpdateNormals(o);
+    if (o.normalRadius == NormalRadius::OwnThickness)
+    {
+      double largest = 0.0;
+      for (const Sphere& sphere : report.spheres)
+      {
+        largest = std::max(largest, sphere.radius);
+      }
+      this->UpdateThickness(o, largest);
+    }
+  }
+  if (report.spheres.size() == 1)
+  {
+    const Sphere& sphere = report.spheres.front();
+    this->T = this->Directions(o, sphere, report.pointsOnCenter);
+    this->Targets = (sphere.radius * this->T).rowwise() + sphere.center.transpose();
+    return;
+  }
+  this->UpdateShares(o);
+  this->T = Points::Zero(this->P->rows(), 3);
+  this->Targets = Points::Zero(this->P->rows(), 3);
+  std::vector<Points> targets;
+  for (std::size_t k = 0; k < report.spheres.size(); ++k)
+  {
+    const Sphere& sphere = report.spheres[k];
+    const auto omega = this->Shares.col(static_cast<Eigen::Index>(k)).asDiagonal();
+    std::vector<int> onCenter;
+    const Points t = this->Directions(o, sphere, onCenter);
+    this->T += omega * t;
+    targets.push_back((sphere.radius * t).rowwise() + sphere.center.transpose());
+    this->Targets += omega * targets.back();
+    report.pointsOnCenter.insert(report.pointsOnCenter.end(), onCenter.begin(), onCenter.end());
+  }
+  this->JoinCenters(o, targets);
+}
+
+/// B' [toy]
+void ClosedFormStyle::State::BlendBase(const ClosedFormOptions& o)
+{
+  const Points& B = this->GetBase();
+  this->Moved.resize(B.rows(), 3);
+  ParallelFor(static_cast<int>(B.rows()), o.threads,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        const double factor = o.roundnessFactors.size() > 0 ? o.roundnessFactors(i) : 1.0;
+        const double mu = std::sqrt(3.0) * o.lambda * factor;
+        const double share = 1.0 - 1.0 / (1.0 + mu);
+        this->Moved.row(i) = B.row(i) + share * (this->Targets.row(i) - B.row(i));
+      }
+    });
+}
+
+/// P' = B' + R (P - B) [carry]
+void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
+{
+  const Points& P0 = *this->P;
+  this->R.clear();
+  if (this->Size == 0.0)
+  {
+    this->Positions = this->Moved;
+    if (o.keepRotations)
+    {
+      this->R.assign(P0.rows(), Eigen::Matrix3d::Identity());
+    }
+    return;
+  }
+  const int samples = this->Grid.GetNumberOfSamples();
+  const Fields moved = this->Grid.Gradients(this->Moved, o.threads);
+  Fields S(samples, 9);
+  ParallelFor(samples, o.threads,
+    [&](int begin, int end)
+    {
+      for (int k = begin; k < end; ++k)
+      {
+        const Gradient G(this->Gradients.row(k).data());
+        const Gradient H(moved.row(k).data());
+        const Eigen::Vector3d N = this->Grid.GetAreaVectors().row(k);
+        const Eigen::Vector3d before = AreaVectorOf(G, N);
+        const Eigen::Vector3d after = AreaVectorOf(H, N);
+        Eigen::Matrix3d covariance = G * H.transpose();
+        const double size = std::sqrt(before.norm() * after.norm());
+        if (size > 0.0)
+        {
+          covariance += before * after.transpose() / (size * this->Grid.GetWeights()(k));
+        }
+        Eigen::Map<Eigen::Matrix3d>(S.row(k).data()) = covariance; // column by column
+      }
+    });
+  const Fields once = this->Grid.Smooth(S, o.threads);
+  const Fields smooth = this->Grid.Smooth(this->Grid.AtSamples(once, o.threads), o.threads);
+  const int n = static_cast<int>(P0.rows());
+  if (o.keepRotations)
+  {
+    this->R.resize(n);
+  }
+  this->Positions.resize(n, 3);
+  constexpr int Packet = 4096; // so that the covariances of all points are never kept
+  ParallelTasks((n + Packet - 1) / Packet, o.threads,
+    [&](int task)
+    {
+      const int begin = Packet * task;
+      const int count = std::min(Packet, n - begin);
+      const Fields at = this->Grid.AtPoints(smooth, P0.middleRows(begin, count), 1);
+      Matrices R(count, Eigen::Matrix3d::Identity());
+      FitRotations(at.data(), count, R.data());
+      for (int i = 0; i < count; ++i)
+      {
+        const Eigen::Vector3d detail = (P0.row(begin + i) - this->Base.row(begin + i)).transpose();
+        this->Positions.row(begin + i) = this->Moved.row(begin + i) + (R[i] * detail).transpose();
+      }
+      if (o.keepRotations)
+      {
+        std::copy(R.begin(), R.end(), this->R.begin() + begin);
+      }
+    });
+  // The area vectors turned with the details, and what of them B' has.
+  const Fields atSamples = this->Grid.AtSamples(smooth, o.threads);
+  Points turned(samples, 3);
+  Eigen::VectorXd areas(samples);
+  ParallelFor(samples, o.threads,
+    [&](int begin, int end)
+    {
+      for (int k = begin; k < end; ++k)
+      {
+        const Eigen::Vector3d N = this->Grid.GetAreaVectors().row(k);
+        turned.row(k) =
+          ClosestRotation(Eigen::Map<const Eigen::Matrix3d>(atSamples.row(k).data())) * N;
+        areas(k) = turned.row(k).dot(AreaVectorOf(Gradient(moved.row(k).data()), N));
+      }
+    });
+  for (int round = 0; round < RoundsOfYield && this->Yield(o, turned, areas); ++round)
+  {
+  }
+}
+
+/// Details give way where they would fold: in creases, where the base becomes narrow and they do
+/// not [carry].
+/// @param turned  area vectors of the samples, turned @param areas  of the base, along them
+/// @return whether there was such a place
+bool ClosedFormStyle::State::Yield(
+  const ClosedFormOptions& o, const Points& turned, const Eigen::VectorXd& areas)
+{
+  const Fields carried = this->Grid.Gradients(this->Positions, o.threads);
+  Fields yields = Fields::Zero(areas.size(), 1);
+  for (Eigen::Index k = 0; k < areas.size(); ++k)
+  {
+    const Eigen::Vector3d N = this->Grid.GetAreaVectors().row(k);
+    const double least = SmallestStretch * areas(k);
+    const double area = turned.row(k).dot(AreaVectorOf(Gradient(carried.row(k).data()), N));
+    if (areas(k) > 0.0 && area < least)
+    {
+      yields(k, 0) = std::pow((least - area) / (areas(k) - area), SharpnessOfYield);
+    }
+  }
+  if ((yields.array() == 0.0).all())
+  {
+    return false;
+  }
+  const Fields yield =
+    this->Grid.AtPoints(this->Grid.Smooth(yields, o.threads), *this->P, o.threads);
+  ParallelFor(static_cast<int>(yield.rows()), o.threads,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        const double share =
+          std::min(1.0, std::pow(std::max(0.0, yield(i, 0)), 1.0 / SharpnessOfYield));
+        this->Positions.row(i) -= share * (this->Positions.row(i) - this->Moved.row(i));
+      }
+    });
+  return true;
+}
+
+/// [size], and what stays where it is.
+void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport& report)
+{
+  const Points& P0 = *this->P;
+  const int n = static_cast<int>(P0.rows());
+  std::vector<int> members;
+  Triangles measured;
+  if (o.fixedPoints.empty())
+  {
+    members.resize(n);
+    std::iota(members.begin(), members.end(), 0);
+  }
+  else
+  {
+    std::vector<char> fixed(n, 0);
+    for (const int i : o.fixedPoints)
+    {
+      fixed[i] = 1;
+    }
+    for (int i = 0; i < n; ++i)
+    {
+      if (!fixed[i])
+      {
+        members.push_back(i);
+      }
+    }
+    std::vector<int> inside;
+    for (Eigen::Index f = 0; f < this->F->rows(); ++f)
+    {
+      if (!fixed[(*this->F)(f, 0)] && !fixed[(*this->F)(f, 1)] && !fixed[(*this->F)(f, 2)])
+      {
+        inside.push_back(static_cast<int>(f));
+      }
+    }
+    measured = (*this->F)(inside, Eigen::all);
+    if (members.empty() || inside.empty())
+    {
+      return;
+    }
+  }
+  const Triangles& F0 = o.fixedPoints.empty() ? *this->F : measured;
+  if (this->Areas.size() == 0)
+  {
+    this->Areas = PointAreas(P0, *this->F);
+  }
+  Eigen::RowVector3d shift = Eigen::RowVector3d::Zero();
+  double total = 0.0;
+  for (const int i : members)
+  {
+    shift += this->Areas(i) * (P0.row(i) - this->Positions.row(i));
+    total += this->Areas(i);
+  }
+  shift /= total;
+  if (o.keepLastPoint)
+  {
+    shift = P0.row(members.back()) - this->Positions.row(members.back());
+  }
+  for (const int i : members)
+  {
+    this->Positions.row(i) += shift;
+  }
+  const bool known = o.fixedPoints.empty() && o.size.keep == this->KnownSize.keep &&
+    o.size.upAxis == this->KnownSize.upAxis;
+  const double before =
+    known ? this->RestLength : LengthOf(P0, F0, members, this->Areas, o.size, o.threads);
+  if (o.fixedPoints.empty())
+  {
+    this->KnownSize = o.size;
+    this->RestLength = before;
+  }
+  report.scale =
+    RestoreSize(P0, F0, members, this->Areas, o.size, before, o.threads, this->Positions);
+}
+
+//------------------------------------------------------------------------------------------------
+ClosedFormStyle::ClosedFormStyle()
+  : S(std::make_unique<State>())
+{
+}
+
+ClosedFormStyle::~ClosedFormStyle() = default;
+
+void ClosedFormStyle::SetMesh(const Points& P, const Triangles& F)
+{
+  this->S = std::make_unique<State>();
+  this->S->P = &P;
+  this->S->F = &F;
+}
+
+ClosedFormReport ClosedFormStyle::Solve(const ClosedFormOptions& options)
+{
+  State& s = *this->S;
+  ClosedFormReport report;
+  s.UpdateGrid(options, report);
+  const Stopwatch watch;
+  s.MakeTargets(options, report);
+  s.BlendBase(options);
+  s.CarryDetails(options);
+  s.Place(options, report);
+  report.carrySeconds = watch.Seconds();
+  return report;
+}
+
+ClosedFormReport ClosedFormStyle::Carry(const Points& Q, const ClosedFormOptions& options)
+{
+  State& s = *this->S;
+  ClosedFormReport report;
+  s.UpdateGrid(options, report);
+  const Stopwatch watch;
+  s.Moved = Q;
+  if (s.Size > 0.0)
+  {
+    const Fields once = s.Grid.Smooth(s.Grid.Means(Q, options.threads), options.threads);
+    const Fields twice = s.Grid.Smooth(s.Grid.AtSamples(once, options.threads), options.threads);
+    s.Moved = s.Grid.AtPoints(twice, *s.P, options.threads);
+  }
+  s.CarryDetails(options);
+  s.Place(options, report);
+  report.carrySeconds = watch.Seconds();
+  return report;
+}
+
+Points ClosedFormStyle::ThickNormals(const ClosedFormOptions& options)
+{
+  State& s = *this->S;
+  ClosedFormReport report;
+  if (!UsesNormals(options))
+  {
+    return options.normals;
+  }
+  s.UpdateGrid(options, report);
+  const double radius = s.Spheres(options).front().radius;
+  s.UpdateNormals(options);
+  s.UpdateThickness(options, radius);
+  return (s.Thickness / radius).asDiagonal() * s.Normals;
+}
+
+const Points& ClosedFormStyle::GetPositions() const
+{
+  return this->S->Positions;
+}
+
+const Points& ClosedFormStyle::GetBase() const
+{
+  return this->S->GetBase();
+}
+
+const Points& ClosedFormStyle::GetDirections() const
+{
+  return this->S->T;
+}
+
+const Matrices& ClosedFormStyle::GetRotations() const
+{
+  return this->S->R;
+}
+} // namespace SphericalStyle

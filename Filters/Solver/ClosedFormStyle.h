@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The style in closed form: a smooth base is blended with its target, details are carried along
+/// [base] [toy] [carry].
+#ifndef SphericalStyle_ClosedFormStyle_h
+#define SphericalStyle_ClosedFormStyle_h
+
+#include "ModelSize.h"
+#include "TargetDirections.h"
+
+#include <memory>
+
+namespace SphericalStyle
+{
+/// How thick a limb becomes that follows its normals (NormalBlend).
+enum class NormalRadius
+{
+  OwnThickness, ///< as it is: rho_i [limb]
+  WholeModel    ///< as the whole model: r (thesis)
+};
+
+/// What is wanted, in the units of the frame. Arrays of 0 rows mean "none".
+struct ClosedFormOptions
+{
+  double lambda = 0.5;      ///< roundness, >= 0
+  double normalBlend = 0.0; ///< a, 0..1
+  NormalRadius normalRadius = NormalRadius::OwnThickness;
+  double detailSize = 0.0; ///< s; 0: the base is the model
+  CenterMode centerMode = CenterMode::AreaCentroid;
+  RadiusMode radiusMode = RadiusMode::EqualArea;
+  Sphere custom; ///< for the Custom modes
+  SizeOptions size;
+  bool keepLastPoint = false; ///< the last point stays, and not the mean
+
+  Eigen::VectorXd roundnessFactors; ///< n, >= 0
+  Eigen::VectorXd normalBlends;     ///< n, 0..1: replaces a
+  Points normals;                   ///< n x 3 unit normals, with detailSize 0
+  Points targets;                   ///< n x 3, replaces t
+  std::vector<int> fixedPoints;     ///< outside of the region: they stay, exactly
+  bool sphereOfFreePoints = false;  ///< O and r from the points that are not fixed alone
+  std::vector<int> centerIds;       ///< n, 0..K-1; none: one center for all
+  Points centers;                   ///< K x 3, or none
+  double centerBlend = 0.0;         ///< width over which several centers pass into each other
+
+  bool keepRotations = false; ///< R is wanted
+  int threads = 1;
+};
+
+struct ClosedFormReport
+{
+  std::vector<Sphere> spheres;     ///< of every center
+  std::vector<int> pointsOnCenter; ///< points without a direction of their own
+  int functions = 0;               ///< of the grid; 0 without details
+  double spacing = 0.0;            ///< of the grid
+  bool coarser = false;            ///< the grid could not be as fine as the details
+  int walls = 0;                   ///< pairs through walls
+  double scale = 1.0;              ///< by which the result was scaled [size]
+  double baseSeconds = 0.0;        ///< grid, base, normals, thickness, where they were made anew
+  double carrySeconds = 0.0;
+};
+
+/// Nothing iterates, and nothing is factored that is as large as the mesh.
+///
+///     T_i = O + (1 - a) r d_i + a rho_i n_i            B'_i = B_i + mu / (1 + mu) (T_i - B_i)
+///     P'_i = B'_i + R_i (P_i - B_i)
+///
+/// | change                                            | redone                              |
+/// |---------------------------------------------------|-------------------------------------|
+/// | points or triangles                               | all                                 |
+/// | detail size                                       | grid, base, normals, thickness      |
+/// | center ids, blend of several centers              | shares                              |
+/// | all else                                          | targets, rotations, sum             |
+///
+/// Base: with sigma = smooth_s(smooth_s(1)), which the ridge of A_s makes less than 1 on loose
+/// parts that are small against a cell, and e_i = clamp(1.5 - 50 |1 - sigma_i|, 0, 1),
+///
+///     B_i = P_i + e_i (smooth_s(smooth_s(P))_i - P_i).
+///
+/// Rotations: with G_k and G'_k the mean gradients of B and B' in sample k, N and N' the area
+/// vectors that they make of N_k, R_i is the rotation closest to S_i, the transpose of
+///
+///     smooth_s(smooth_s(G'_k G_k^T + N' N^T / (w_k sqrt(|N'| |N|)))).
+///
+/// Details give way, in two rounds, where they would fold: with a_k the area of B' in sample k
+/// along the turned normal R_k N_k and b_k that of P', y_k = (a_k / 2 - b_k) / (a_k - b_k) where
+/// b_k < a_k / 2, else 0, P'_i moves toward B'_i by the share min(1, smooth_s(y^4)_i^(1/4)).
+///
+/// Several centers: T_i = sum_k omega_k (O_k + ...) + Y, omega the smooth shares of the centers,
+/// and Y the field with grad Y nearest to - sum_k (O_k + ...) grad omega_k: parts keep together,
+/// each moves as a whole [centers].
+///
+/// Cost at n points: a pass over the triangles for the grid, sums over its samples and a factor of
+/// G functions (SurfaceGrid), five rays a sample of a coarse grid; then a change costs some 20
+/// small solves and a few passes over points and triangles. Memory about 400 bytes a point.
+class ClosedFormStyle
+{
+public:
+  ClosedFormStyle();
+  ~ClosedFormStyle();
+
+  /// @param P  n x 3, in a frame of diagonal 1 @param F  m x 3; both must outlive this
+  void SetMesh(const Points& P, const Triangles& F);
+  /// @throw std::invalid_argument, SolverError, PartWithoutSphere
+  ClosedFormReport Solve(const ClosedFormOptions& options);
+  /// Carries the details on a base that another method has deformed: P' = B' + R (P - B), B' the
+  /// base of Q.
+  /// @param Q  n x 3, what became of P
+  ClosedFormReport Carry(const Points& Q, const ClosedFormOptions& options);
+
+  /// (rho_i / r) n_i: normals by the thickness of the limb, for another method; r of the first
+  /// center.
+  Points ThickNormals(const ClosedFormOptions& options);
+
+  const Points& GetPositions() const;   ///< P', n x 3
+  const Points& GetBase() const;        ///< B, n x 3
+  const Points& GetDirections() const;  ///< t, n x 3
+  const Matrices& GetRotations() const; ///< R, n, or none
+
+private:
+  class State;
+  std::unique_ptr<State> S;
+};
+} // namespace SphericalStyle
+
+#endif

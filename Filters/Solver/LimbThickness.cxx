@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LimbThickness.h"
+
+#include "FirstHit.h"
+#include "Parallel.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace SphericalStyle
+{
+namespace
+{
+constexpr int RaysAround = 4;
+constexpr double ConeAngle = 0.2;  // at which the four lie; a ball loses 2 % of its thickness by it
+constexpr double Thinnest = 0.002; // fraction of the diagonal, as all lengths here
+constexpr double MostSamples = 0.98; // have less than the upper bound
+constexpr double FacesOneWay = 0.5;  // |N_k| / w_k below which a sample has both sides of a sheet
+constexpr double WallStiffness =
+  24.0; // at which no wall of TestThickness keeps less than elastic stitches kept
+constexpr double FewestAnswers = 0.01;
+constexpr double BlindSubCells = 0.5; // of the spacing: the sheet that a ray starts from
+
+/// Five directions around -n, mirror images of each other on both sides of the plane of n and
+/// `toward`.
+std::array<Eigen::Vector3d, RaysAround + 1> Directions(
+  const Eigen::Vector3d& n, const Eigen::Vector3d& toward)
+{
+  Eigen::Vector3d x = toward - toward.dot(n) * n;
+  if (!(x.squaredNorm() > 1e-20))
+  {
+    x = n.unitOrthogonal();
+  }
+  x.normalize();
+  const Eigen::Vector3d y = n.cross(x);
+  std::array<Eigen::Vector3d, RaysAround + 1> rays;
+  rays[RaysAround] = -n;
+  for (int k = 0; k < RaysAround; ++k)
+  {
+    // So that as many lie nearer to one axis of the tangent plane as to the other: along and across
+    // a limb.
+    const double angle = (k + 0.5) * 2.0 * Pi / RaysAround;
+    rays[k] =
+      -std::cos(ConeAngle) * n + std::sin(ConeAngle) * (std::cos(angle) * x + std::sin(angle) * y);
+  }
+  return rays;
+}
+
+/// Half of what is between the two sides of a sheet that lie in one sample.
+double HalfOfSheet(const SurfaceGrid& grid, int k)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(grid.GetSpreads()[k]);
+  return std::sqrt(std::max(0.0, spread.eigenvalues()(0)));
+}
+}
+
+Eigen::VectorXd LimbThickness(
+  const Points& P, const Points& B, const Triangles& F, double radius, int threads)
+{
+  SurfaceGrid grid(P, F, LimbSize, threads);
+  grid.Factor({}, threads);
+  const int samples = grid.GetNumberOfSamples();
+  const Fields places = grid.Means(B, threads);
+  const Fields gradients = grid.Gradients(B, threads);
+  const Eigen::Vector3d middle = (places.transpose() * grid.GetWeights()) / grid.GetWeights().sum();
+  const TriangleTree tree(B, F);
+  const double blind = BlindSubCells * grid.GetSpacing();
+
+  std::vector<double> found(samples, 0.0); // 0 where nothing is met
+  ParallelTasks((samples + 255) / 256, threads,
+    [&](int task)
+    {
+      for (int k = 256 * task; k < std::min(samples, 256 * (task + 1)); ++k)
+      {
+        const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> G(
+          gradients.row(k).data());
+        const Eigen::Vector3d N = grid.GetAreaVectors().row(k);
+        const double facing = N.norm() / grid.GetWeights()(k);
+        const Eigen::Vector3d m = N.stableNormalized();
+        const Eigen::Vector3d u = m.unitOrthogonal();
+        const Eigen::Vector3d n = (G * u).cross(G * m.cross(u)).stableNormalized();
+        std::vector<double> lengths;
+        const Eigen::Vector3d origin = places.row(k);
+        if (n.squaredNorm() > 0.5)
+        {
+          for (const Eigen::Vector3d& direction : Directions(n, origin - middle))
+          {
+            FirstHit hit(B, F, origin, direction, FirstHit::Nothing);
+            hit.SkipOutsides(blind);
+            hit.Search(tree);
+            if (hit.GetTriangle() >= 0)
+            {
+              lengths.push_back(hit.GetDistance());
+            }
+          }
+        }
+        double rho = 0.0;
+        if (!lengths.empty())
+        {
+          std::sort(lengths.begin(), lengths.end());
+          const std::size_t half = lengths.size() / 2;
+          const double median =
+            lengths.size() % 2 == 1 ? lengths[half] : 0.5 * (lengths[half - 1] + lengths[half]);
+          rho = std::max(Thinnest, 0.5 * median);
+        }
+        if (facing < FacesOneWay)
+        {
+          const double sheet = std::max(Thinnest, HalfOfSheet(grid, k));
+          const double share = facing / FacesOneWay;
+          rho =
+            rho > 0.0 ? std::exp(share * std::log(rho) + (1.0 - share) * std::log(sheet)) : sheet;
+        }
+        found[k] = rho;
+      }
+    });
+
+  std::vector<double> sorted;
+  std::copy_if(
+    found.begin(), found.end(), std::back_inserter(sorted), [](double x) { return x > 0.0; });
+  if (sorted.empty())
+  {
+    return Eigen::VectorXd::Constant(P.rows(), radius);
+  }
+  const auto at = static_cast<std::ptrdiff_t>(MostSamples * static_cast<double>(sorted.size() - 1));
+  std::nth_element(sorted.begin(), sorted.begin() + at, sorted.end());
+  const double largest = std::max(Thinnest, std::min(radius, sorted[at]));
+
+  Fields answers(samples, 2); // whether there is one, and its logarithm
+  for (int k = 0; k < samples; ++k)
+  {
+    const bool known = found[k] > 0.0;
+    answers.row(k) << (known ? 1.0 : 0.0), (known ? std::log(std::min(found[k], largest)) : 0.0);
+  }
+  const Fields smooth = grid.AtPoints(grid.Smooth(answers, threads), P, threads);
+  Eigen::VectorXd rho(P.rows());
+  for (Eigen::Index i = 0; i < rho.size(); ++i)
+  {
+    rho(i) = smooth(i, 0) > FewestAnswers
+      ? std::clamp(std::exp(smooth(i, 1) / smooth(i, 0)), Thinnest, largest)
+      : radius;
+  }
+  return rho;
+}
+
+std::vector<GridPair> FindWalls(
+  const SurfaceGrid& grid, const Points& P, const Triangles& F, int threads)
+{
+  const double size = grid.GetSize();
+  const double thickest = 2.0 * size;
+  const double thinnest = 0.1 * size;
+  const TriangleTree tree(P, F);
+  const int samples = grid.GetNumberOfSamples();
+  std::vector<std::optional<GridPair>> found(samples);
+  ParallelTasks((samples + 255) / 256, threads,
+    [&](int task)
+    {
+      for (int k = 256 * task; k < std::min(samples, 256 * (task + 1)); ++k)
+      {
+        const Eigen::Vector3d N = grid.GetAreaVectors().row(k);
+        const Eigen::Vector3d direction = -N.stableNormalized();
+        if (!(N.norm() > FacesOneWay * grid.GetWeights()(k)))
+        {
+          continue; // both sides are in the sample: they are together already
+        }
+        const Eigen::Vector3d origin = grid.GetPlaces().row(k);
+        FirstHit hit(P, F, origin, direction, thickest);
+        hit.SkipOutsides(BlindSubCells * grid.GetSpacing());
+        hit.Search(tree);
+        if (hit.GetTriangle() < 0)
+        {
+          continue;
+        }
+        const auto corners = F.row(hit.GetTriangle());
+        const Eigen::Matrix3d x = P(corners, Eigen::all).transpose();
+        const Eigen::Vector3d face =
+          (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0)).stableNormalized();
+        const double outward = face.dot(direction); // cos theta
+        if (outward > 0.0)
+        {
+          const double d = std::max(hit.GetDistance(), thinnest);
+          found[k] = GridPair{ origin, x * hit.GetPlace(),
+            WallStiffness * grid.GetWeights()(k) * outward * outward *
+              (1.0 / (d * d) - 1.0 / (thickest * thickest)) };
+        }
+      }
+    });
+  std::vector<GridPair> walls;
+  for (const auto& pair : found)
+  {
+    if (pair)
+    {
+      walls.push_back(*pair);
+    }
+  }
+  return walls;
+}
+} // namespace SphericalStyle

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// How thick a model is where, as a smooth field [limb], and its thin walls [wall].
+#ifndef SphericalStyle_LimbThickness_h
+#define SphericalStyle_LimbThickness_h
+
+#include "SurfaceGrid.h"
+
+namespace SphericalStyle
+{
+/// The size of the limbs that rho tells apart, as a fraction of the diagonal.
+constexpr double LimbSize = 0.08;
+
+/// Half of the thickness of the limb that each point belongs to [limb]: half of the median length
+/// of five rays inward through the base, one against the normal and four around it, from each
+/// sample of a grid of LimbSize; no less than .002 and no more than the radius r or what 98 % of
+/// the samples have; the logarithm smoothed with LimbSize. Where no ray meets anything, as on an
+/// open sheet, r.
+/// @param P, B  n x 3 points and base, in the frame @param F  m x 3, facing outward @param radius
+/// r @return n, above 0
+Eigen::VectorXd LimbThickness(
+  const Points& P, const Points& B, const Triangles& F, double radius, int threads);
+
+/// Pairs through walls thinner than 2 s [wall]: from each sample k of the grid, u = x_k, a ray goes
+/// inward, against N_k, until it leaves the surface at v, at a distance d below 2 s and an angle
+/// theta to the normal there:
+///
+///     weight = 24 w_k cos^2 theta (1 / d^2 - 1 / (2 s)^2),
+///
+/// d not below s / 10. Both sides of a wall find each other. Gaps are no walls.
+/// @param F  m x 3, the triangles face outward
+std::vector<GridPair> FindWalls(
+  const SurfaceGrid& grid, const Points& P, const Triangles& F, int threads);
+} // namespace SphericalStyle
+
+#endif

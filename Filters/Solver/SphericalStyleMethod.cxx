@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SphericalStyleMethod.h"
+
+#include <cmath>
+#include <utility>
+
+namespace SphericalStyle
+{
+MethodOptions ThesisOptions(MethodOptions options)
+{
+  static_cast<StyleOptions&>(options) = ThesisOptions(static_cast<const StyleOptions&>(options));
+  options.detailSize = 0.0;
+  options.normalRadius = NormalRadius::WholeModel;
+  options.size = {};
+  return options;
+}
+
+void CheckOptions(const MethodOptions& o, int n)
+{
+  CheckOptions(static_cast<const StyleOptions&>(o), n);
+  if (!(o.detailSize >= 0.0 && std::isfinite(o.detailSize)))
+  {
+    throw std::invalid_argument("the detail size must be 0 or more");
+  }
+}
+
+bool IsClosedForm(const StyleOptions& o)
+{
+  return !o.localTerm && o.sphericalWeighting == SphericalWeighting::Cotangent &&
+    o.edgeWeighting != EdgeWeighting::FullEdge && o.concaveEdges == ConcaveEdges::Keep &&
+    o.initialGuess != InitialGuess::Rest && o.loop.stopRule != StopRule::FixedIterations;
+}
+
+void SphericalStyleMethod::SetMesh(const TriangleMesh& mesh)
+{
+  if (mesh.F.rows() == 0)
+  {
+    throw std::invalid_argument("the mesh has no triangle");
+  }
+  const TriangleMesh& given = this->Mesh;
+  if (given.F.rows() == mesh.F.rows() && given.P.rows() == mesh.P.rows() && given.F == mesh.F &&
+    given.P == mesh.P)
+  {
+    return;
+  }
+  if (!mesh.P.allFinite())
+  {
+    throw std::invalid_argument("a point is not finite");
+  }
+  ++this->MeshGeneration;
+  this->Mesh = {};
+  this->MeshFrame = FrameOf(mesh.P);
+  this->P = this->MeshFrame.Into(mesh.P);
+  TriangleMesh copy = mesh;
+  this->Closed.SetMesh(this->P, this->Mesh.F);
+  this->Mesh = std::move(copy); // last: should a line above throw, the next mesh is another one
+}
+
+ClosedFormOptions SphericalStyleMethod::InFrame(const MethodOptions& o) const
+{
+  const Frame& frame = this->MeshFrame;
+  ClosedFormOptions c;
+  c.lambda = o.lambda;
+  c.normalBlend = o.normalBlend;
+  c.normalRadius = o.normalRadius;
+  c.detailSize = o.detailSize;
+  c.centerMode = o.centerMode;
+  c.radiusMode = o.radiusMode;
+  c.custom = { (o.custom.center - frame.origin.transpose()) / frame.scale,
+    o.custom.radius / frame.scale };
+  c.size = o.size;
+  c.keepLastPoint = o.anchor == Anchor::LastPoint;
+  c.roundnessFactors = o.roundnessFactors;
+  c.normalBlends = o.normalBlends;
+  c.normals = o.normals;
+  c.targets = o.targets;
+  c.fixedPoints = o.fixedPoints;
+  c.sphereOfFreePoints = o.sphereOfFreePoints;
+  c.centerIds = o.centerIds;
+  c.centers = o.centers.rows() > 0 ? frame.Into(o.centers) : Points(0, 3);
+  c.centerBlend = o.centerBlend;
+  c.keepRotations = o.keepRotations;
+  c.threads = o.threads;
+  return c;
+}
+
+/// Results of the closed form into model units.
+void SphericalStyleMethod::Take(
+  const MethodOptions& o, const ClosedFormReport& closed, StyleReport& report)
+{
+  const Frame& frame = this->MeshFrame;
+  this->Positions = frame.OutOf(this->Closed.GetPositions());
+  this->R = this->Closed.GetRotations();
+  if (!o.fixedPoints.empty())
+  {
+    this->Positions(o.fixedPoints, Eigen::all) = o.fixedPositions; // exactly
+  }
+  report.gridFunctions = closed.functions;
+  report.gridSpacing = closed.spacing;
+  report.coarserGrid = closed.coarser;
+  report.walls = closed.walls;
+  report.sizeFactor = closed.scale;
+  report.seconds.base += closed.baseSeconds;
+  report.seconds.iterate += closed.carrySeconds;
+}
+
+void SphericalStyleMethod::SolveClosedForm(const MethodOptions& o, StyleReport& report)
+{
+  const Frame& frame = this->MeshFrame;
+  const ClosedFormReport closed = this->Closed.Solve(this->InFrame(o));
+  this->T = this->Closed.GetDirections();
+  this->Take(o, closed, report);
+  report.closedForm = true;
+  report.loop.converged = true;
+  report.pointsOnCenter = closed.pointsOnCenter;
+  report.spheres = closed.spheres;
+  for (Sphere& sphere : report.spheres)
+  {
+    sphere.center = frame.scale * sphere.center + frame.origin.transpose();
+    sphere.radius *= frame.scale;
+  }
+  report.sphere = report.spheres.front();
+  const bool nothing =
+    o.lambda == 0.0 || (o.roundnessFactors.size() > 0 && o.roundnessFactors.maxCoeff() == 0.0);
+  if (nothing) // to the bit
+  {
+    this->Positions = this->Mesh.P;
+    if (!o.fixedPoints.empty())
+    {
+      this->Positions(o.fixedPoints, Eigen::all) = o.fixedPositions;
+    }
+  }
+}
+
+/// The energy knows no details: B' is the base of what it leads to.
+void SphericalStyleMethod::SolveEnergy(
+  const MethodOptions& o, const Callback& callback, StyleReport& report)
+{
+  ClosedFormOptions inFrame = this->InFrame(o);
+  StyleOptions rigid = o;
+  if (o.normalRadius == NormalRadius::OwnThickness)
+  {
+    rigid.normals = this->Closed.ThickNormals(inFrame);
+  }
+  this->Energy.SetMesh(this->Mesh);
+  report = this->Energy.Solve(rigid, callback);
+  this->T = this->Energy.GetDirections();
+  this->CellEnergies = this->Energy.GetCellEnergies();
+  this->Positions = this->Energy.GetPositions();
+  this->R = this->Energy.GetRotations();
+  if (o.detailSize > 0.0 || o.size.keep != KeepSize::Off || o.size.keepOnGround)
+  {
+    const ClosedFormReport closed =
+      this->Closed.Carry(this->MeshFrame.Into(this->Positions), inFrame);
+    Matrices turns = std::move(this->R);
+    this->Take(o, closed, report);
+    if (o.detailSize == 0.0)
+    {
+      this->R = std::move(turns); // its cells have not turned since
+    }
+  }
+}
+
+StyleReport SphericalStyleMethod::Solve(const MethodOptions& options, const Callback& callback)
+{
+  if (this->P.rows() == 0)
+  {
+    throw std::invalid_argument("there is no mesh: SetMesh was not called or has thrown");
+  }
+  CheckOptions(options, static_cast<int>(this->P.rows()));
+  StyleReport report;
+  this->CellEnergies.resize(0);
+  if (IsClosedForm(options))
+  {
+    this->SolveClosedForm(options, report);
+  }
+  else
+  {
+    this->SolveEnergy(options, callback, report);
+  }
+  if (!this->Positions.allFinite())
+  {
+    throw SolverError("the result is not finite");
+  }
+  return report;
+}
+} // namespace SphericalStyle

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The whole style: in closed form, or by the energy where that is asked for.
+#ifndef SphericalStyle_SphericalStyleMethod_h
+#define SphericalStyle_SphericalStyleMethod_h
+
+#include "ClosedFormStyle.h"
+#include "Frame.h"
+#include "StyleSolver.h"
+
+namespace SphericalStyle
+{
+/// What the user wants. Lengths and positions are in model units.
+struct MethodOptions : StyleOptions
+{
+  /// s, fraction of the diagonal of the bounds: what is smaller is a detail [base]; 0: the model is
+  /// its own base. With details the given normals are not used, for the base has its own.
+  double detailSize = 0.0;
+  NormalRadius normalRadius = NormalRadius::OwnThickness;
+  SizeOptions size;
+  bool keepRotations = false; ///< R is wanted
+};
+
+/// The thesis to the letter.
+MethodOptions ThesisOptions(MethodOptions options);
+
+/// @param n  number of points @throw std::invalid_argument for options out of range or of wrong
+/// size
+void CheckOptions(const MethodOptions& options, int n);
+
+/// Whether nothing has to be minimised: cotangent weights, edges of concave places kept, half-edge
+/// or intrinsic Delaunay weights, and a rule that stops. Else B' is the base of what minimises the
+/// energy of StyleSolver, without details, and details are carried on it.
+bool IsClosedForm(const StyleOptions& options);
+
+/// Keeps what depends on the mesh and on few options, see ClosedFormStyle and StyleSolver.
+class SphericalStyleMethod
+{
+public:
+  /// Takes the mesh; an equal one changes nothing.
+  /// @throw std::invalid_argument for a mesh without triangles, points that are not finite or all
+  /// equal
+  void SetMesh(const TriangleMesh& mesh);
+  /// Counts the meshes that were not equal to the one before.
+  int GetMeshGeneration() const { return this->MeshGeneration; }
+
+  /// @throw std::invalid_argument, PartWithoutSphere, SolverError
+  StyleReport Solve(const MethodOptions& options, const Callback& callback = {});
+
+  const Points& GetPositions() const { return this->Positions; } ///< P', n x 3, model units
+  const Points& GetDirections() const { return this->T; }        ///< t, n x 3
+  const Matrices& GetRotations() const { return this->R; }       ///< R, n, where it was wanted
+  /// n, length^2; no row where nothing was minimised.
+  const Eigen::VectorXd& GetCellEnergies() const { return this->CellEnergies; }
+
+private:
+  ClosedFormOptions InFrame(const MethodOptions& options) const;
+  void SolveClosedForm(const MethodOptions& options, StyleReport& report);
+  void SolveEnergy(const MethodOptions& options, const Callback& callback, StyleReport& report);
+  void Take(const MethodOptions& options, const ClosedFormReport& closed, StyleReport& report);
+
+  TriangleMesh Mesh;
+  Frame MeshFrame;
+  Points P; // in the frame
+  int MeshGeneration = 0;
+  ClosedFormStyle Closed;
+  StyleSolver Energy;
+  Points Positions;
+  Points T;
+  Matrices R;
+  Eigen::VectorXd CellEnergies;
+};
+} // namespace SphericalStyle
+
+#endif

@@ -1,0 +1,1104 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceGrid.h"
+
+#include "Parallel.h"
+#include "Vector4.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace SphericalStyle
+{
+namespace
+{
+constexpr int Near = 27; // functions at a place
+constexpr int SubCells =
+  3; // along an axis; odd, so that the middle of the bounds lies inside of one
+constexpr int SubCellsOfCell = 27;
+constexpr double LongestPart = 0.75; // of the spacing
+constexpr double LongestWhole = 1.0 / 6.0;
+constexpr double CentroidShare = 0.75; // of the area; the corners have the rest
+constexpr double Ridge = 1e-7;         // of the mean diagonal
+constexpr double PoissonMass = 1e-6;   // holds the constant, which has no gradient
+constexpr int TrianglesOfTask = 1 << 15;
+constexpr int CellsOfTask = 64;
+constexpr int PointsOfPacket = 4096;
+constexpr int Outside = -1;
+
+/// Weights of the three functions along an axis at t in 0..1 of a cell.
+SPHERICALSTYLE_INLINE void Spline(double t, double* w)
+{
+  w[0] = 0.5 * (1.0 - t) * (1.0 - t);
+  w[1] = 0.75 - (t - 0.5) * (t - 0.5);
+  w[2] = 0.5 * t * t;
+}
+
+/// Their derivatives, by t.
+SPHERICALSTYLE_INLINE void SplineSlope(double t, double* w)
+{
+  w[0] = t - 1.0;
+  w[1] = 1.0 - 2.0 * t;
+  w[2] = t;
+}
+
+/// Products of the weights along the axes: function x + 3 y + 9 z.
+SPHERICALSTYLE_INLINE void Products(const double* x, const double* y, const double* z, double* phi)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const double yz = y[j] * z[k];
+      for (int i = 0; i < 3; ++i)
+      {
+        phi[9 * k + 3 * j + i] = x[i] * yz;
+      }
+    }
+  }
+}
+
+/// A function and its gradient at each of the 27, in units of a cell.
+struct LocalFunctions
+{
+  double phi[Near];
+  double gradient[3][Near];
+
+  explicit LocalFunctions(const Eigen::Vector3d& t)
+  {
+    double w[3][3];
+    double slope[3][3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Spline(t(axis), w[axis]);
+      SplineSlope(t(axis), slope[axis]);
+    }
+    Products(w[0], w[1], w[2], this->phi);
+    Products(slope[0], w[1], w[2], this->gradient[0]);
+    Products(w[0], slope[1], w[2], this->gradient[1]);
+    Products(w[0], w[1], slope[2], this->gradient[2]);
+  }
+};
+
+/// sum over 27 functions of phi times rows of c, Blocks times four numbers each.
+template <int Blocks>
+SPHERICALSTYLE_INLINE void SumRows(
+  const double* phi, const int* functions, const double* c, Vector4* sum)
+{
+  for (int b = 0; b < Blocks; ++b)
+  {
+    sum[b] = Vector4{};
+  }
+  for (int g = 0; g < Near; ++g)
+  {
+    const double* row = c + static_cast<std::ptrdiff_t>(functions[g]) * 4 * Blocks;
+    for (int b = 0; b < Blocks; ++b)
+    {
+      sum[b] += phi[g] * Load4(row + 4 * b);
+    }
+  }
+}
+
+/// @param t  places in their cells, 3 each @param functions  of these cells
+template <int Blocks>
+SPHERICALSTYLE_INLINE void EvaluateRows(const double* t, const int* const* functions, int count,
+  const double* c, int columns, double* result)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    double* row = result + static_cast<std::ptrdiff_t>(i) * columns;
+    if (!functions[i])
+    {
+      std::fill_n(row, columns, 0.0);
+      continue;
+    }
+    double w[3][3];
+    double phi[Near];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Spline(t[3 * i + axis], w[axis]);
+    }
+    Products(w[0], w[1], w[2], phi);
+    Vector4 sum[Blocks];
+    SumRows<Blocks>(phi, functions[i], c, sum);
+    for (int k = 0; k < columns; ++k)
+    {
+      row[k] = sum[k / 4][k % 4];
+    }
+  }
+}
+
+SPHERICALSTYLE_PER_INSTRUCTION_SET
+void Evaluate4(const double* t, const int* const* functions, int count, const double* c,
+  int columns, double* result)
+{
+  EvaluateRows<1>(t, functions, count, c, columns, result);
+}
+
+SPHERICALSTYLE_PER_INSTRUCTION_SET
+void Evaluate12(const double* t, const int* const* functions, int count, const double* c,
+  int columns, double* result)
+{
+  EvaluateRows<3>(t, functions, count, c, columns, result);
+}
+
+/// block += u u^T for the lower triangle of a 28 x 28 block, four vectors u at once.
+SPHERICALSTYLE_PER_INSTRUCTION_SET
+void AddOuterProducts(const double* u, double* block)
+{
+  constexpr int Width = 28;
+  for (int i = 0; i < Near; ++i)
+  {
+    for (int j = 0; j < Width; j += 4)
+    {
+      if (j > i)
+      {
+        break;
+      }
+      Vector4 sum = Load4(block + Width * i + j);
+      for (int k = 0; k < 4; ++k)
+      {
+        sum += u[Width * k + i] * Load4(u + Width * k + j);
+      }
+      Store4(block + Width * i + j, sum);
+    }
+  }
+}
+
+using Block = std::array<double, 28 * 28>;
+
+/// Shifts by up to two cells along each axis, in the order of the functions; those that lead to a
+/// function with a larger number, and 0, are Half + 0, 1, ...
+constexpr int Shifts = 125;
+constexpr int HalfOfShifts = 62;
+
+int ShiftOf(int a, int b)
+{
+  return (b % 3 - a % 3 + 2) + 5 * (b / 3 % 3 - a / 3 % 3 + 2) + 25 * (b / 9 - a / 9 + 2);
+}
+}
+
+struct SurfaceGrid::Place
+{
+  std::array<int, 3> cell; // of the box
+  Eigen::Vector3d t;       // 0..1 in it
+};
+
+inline SurfaceGrid::Place SurfaceGrid::Locate(const Eigen::RowVector3d& x) const
+{
+  Place place;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double at = x(axis) * this->PerSpacing + 0.5 + this->Half[axis];
+    const int cell = std::clamp(static_cast<int>(at), 0, 2 * this->Half[axis]);
+    place.cell[axis] = cell;
+    place.t(axis) = at - cell;
+  }
+  return place;
+}
+
+namespace
+{
+int BoxIndex(const std::array<int, 3>& half, const std::array<int, 3>& cell)
+{
+  return cell[0] + (2 * half[0] + 1) * (cell[1] + (2 * half[1] + 1) * cell[2]);
+}
+}
+
+const int* SurfaceGrid::FunctionsAt(const Place& place) const
+{
+  const int cell = this->CellOfBox[BoxIndex(this->Half, place.cell)];
+  return cell == Outside ? nullptr
+                         : this->Functions.data() + static_cast<std::ptrdiff_t>(Near) * cell;
+}
+
+//------------------------------------------------------------------------------------------------
+/// Cuts triangles into what lies in each sub-cell, and adds that up.
+class SurfaceGrid::Splatter
+{
+public:
+  Splatter(SurfaceGrid& grid, const Points& p, const Triangles& f, int threads)
+    : Grid(grid)
+    , P(p)
+    , F(f)
+    , Threads(threads)
+  {
+  }
+
+  /// @return the active cells of the box, ascending
+  std::vector<int> Cut();
+  void Sum(const std::vector<int>& cells);
+
+private:
+  /// What of a triangle lies in a sub-cell.
+  struct Part
+  {
+    int box;
+    int triangle;
+    int subCell;
+    int shares; // where they are, or -1 for a third of all for each corner
+  };
+  struct Parts
+  {
+    std::vector<Part> parts;
+    std::vector<Eigen::Vector3d>
+      shares; // of the area, for each corner; they sum to the part's share
+  };
+  struct Samples;
+
+  void Cut(int triangle, Parts& parts) const;
+  void CutEvenly(int triangle, int n, Parts& parts) const;
+  static void Add(const Place& place, const SurfaceGrid& grid, int triangle, std::size_t first,
+    const Eigen::Vector3d& share, Parts& parts);
+  void SumCell(const Part* begin, const Part* end, Samples& samples) const;
+  void SumSubCell(const Part* begin, const Part* end, Samples& samples) const;
+
+  SurfaceGrid& Grid;
+  const Points& P;
+  const Triangles& F;
+  int Threads;
+  std::vector<Parts> Tasks;
+};
+
+struct SurfaceGrid::Splatter::Samples
+{
+  std::vector<int> numbers; // of samples, of each cell
+  std::vector<double> weights;
+  std::vector<Eigen::Vector3d> places;
+  std::vector<Eigen::Vector3d> areaVectors;
+  std::vector<std::array<double, 6>> tangents;
+  std::vector<Eigen::Matrix3d> spreads;
+  std::vector<int> entryCounts;
+  std::vector<int> points;
+  std::vector<double> entries;
+  // While a sub-cell is added up: where its points are, by their hash.
+  std::vector<int> slots;
+  std::vector<Part> sorted;
+};
+
+void SurfaceGrid::Splatter::Add(const Place& place, const SurfaceGrid& grid, int triangle,
+  std::size_t first, const Eigen::Vector3d& share, Parts& parts)
+{
+  const int box = BoxIndex(grid.Half, place.cell);
+  int sub = 0;
+  for (int axis = 2; axis >= 0; --axis)
+  {
+    sub = SubCells * sub + std::clamp(static_cast<int>(SubCells * place.t(axis)), 0, SubCells - 1);
+  }
+  for (std::size_t i = first; i < parts.parts.size(); ++i)
+  {
+    const Part& part = parts.parts[i];
+    if (part.box == box && part.subCell == sub)
+    {
+      parts.shares[part.shares] += share;
+      return;
+    }
+  }
+  parts.parts.push_back({ box, triangle, sub, static_cast<int>(parts.shares.size()) });
+  parts.shares.push_back(share);
+}
+
+void SurfaceGrid::Splatter::CutEvenly(int triangle, int n, Parts& parts) const
+{
+  const std::size_t first = parts.parts.size();
+  const Eigen::Matrix3d corners = this->P(this->F.row(triangle), Eigen::all).transpose();
+  const double area = 1.0 / (static_cast<double>(n) * n);
+  const auto add = [&](const Eigen::Vector3d& barycentric, double share)
+  {
+    const Place place = this->Grid.Locate((corners * barycentric).transpose());
+    Add(place, this->Grid, triangle, first, share * area * barycentric, parts);
+  };
+  const auto addTriangle = [&](const Eigen::Vector3i& row, const Eigen::Vector3i& column)
+  {
+    Eigen::Matrix3d barycentric;
+    for (int k = 0; k < 3; ++k)
+    {
+      barycentric.col(k) << n - row(k), row(k) - column(k), column(k);
+    }
+    barycentric /= n;
+    add(barycentric.rowwise().mean(), CentroidShare);
+    for (int k = 0; k < 3; ++k)
+    {
+      add(barycentric.col(k), (1.0 - CentroidShare) / 3.0);
+    }
+  };
+  for (int row = 0; row < n; ++row)
+  {
+    for (int column = 0; column <= row; ++column)
+    {
+      addTriangle({ row, row + 1, row + 1 }, { column, column, column + 1 });
+      if (column < row)
+      {
+        addTriangle({ row, row + 1, row }, { column, column + 1, column + 1 });
+      }
+    }
+  }
+}
+
+void SurfaceGrid::Splatter::Cut(int triangle, Parts& parts) const
+{
+  const auto corners = this->F.row(triangle);
+  const Eigen::RowVector3d a = this->P.row(corners(0));
+  const Eigen::RowVector3d b = this->P.row(corners(1));
+  const Eigen::RowVector3d c = this->P.row(corners(2));
+  const double longest =
+    std::sqrt(std::max({ (a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm() }));
+  const double spacing = this->Grid.Spacing;
+  if (longest <= LongestWhole * spacing)
+  {
+    const Place place = this->Grid.Locate((a + b + c) / 3.0);
+    const auto isHere = [&](const Eigen::RowVector3d& x)
+    { return this->Grid.Locate(x).cell == place.cell; };
+    if (isHere(a) && isHere(b) && isHere(c))
+    {
+      int sub = 0;
+      for (int axis = 2; axis >= 0; --axis)
+      {
+        sub =
+          SubCells * sub + std::clamp(static_cast<int>(SubCells * place.t(axis)), 0, SubCells - 1);
+      }
+      parts.parts.push_back({ BoxIndex(this->Grid.Half, place.cell), triangle, sub, -1 });
+      return;
+    }
+  }
+  this->CutEvenly(
+    triangle, std::max(1, static_cast<int>(std::ceil(longest / (LongestPart * spacing)))), parts);
+}
+
+std::vector<int> SurfaceGrid::Splatter::Cut()
+{
+  const int m = static_cast<int>(this->F.rows());
+  this->Tasks.assign((m + TrianglesOfTask - 1) / TrianglesOfTask, {});
+  ParallelTasks(static_cast<int>(this->Tasks.size()), this->Threads,
+    [&](int task)
+    {
+      Parts& parts = this->Tasks[task];
+      const int end = std::min(m, (task + 1) * TrianglesOfTask);
+      parts.parts.reserve(static_cast<std::size_t>(end - task * TrianglesOfTask) * 5 / 4);
+      for (int f = task * TrianglesOfTask; f < end; ++f)
+      {
+        this->Cut(f, parts);
+      }
+    });
+  std::vector<char> touched(this->Grid.CellOfBox.size(), 0);
+  for (const Parts& parts : this->Tasks)
+  {
+    for (const Part& part : parts.parts)
+    {
+      touched[part.box] = 1;
+    }
+  }
+  std::vector<int> cells;
+  for (std::size_t box = 0; box < touched.size(); ++box)
+  {
+    if (touched[box])
+    {
+      cells.push_back(static_cast<int>(box));
+    }
+  }
+  return cells;
+}
+
+void SurfaceGrid::Splatter::SumSubCell(const Part* begin, const Part* end, Samples& samples) const
+{
+  double weight = 0.0;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  Eigen::Vector3d areaVector = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+  std::array<double, 6> tangent = {};
+  const std::size_t first = samples.points.size();
+  std::size_t size = 16;
+  while (size < 6 * static_cast<std::size_t>(end - begin))
+  {
+    size *= 2;
+  }
+  samples.slots.assign(size, Outside);
+  const auto entryOf = [&](int point)
+  {
+    std::size_t slot = (static_cast<std::uint32_t>(point) * 2654435769U) & (size - 1);
+    while (samples.slots[slot] != Outside && samples.points[samples.slots[slot]] != point)
+    {
+      slot = (slot + 1) & (size - 1);
+    }
+    if (samples.slots[slot] == Outside)
+    {
+      samples.slots[slot] = static_cast<int>(samples.points.size());
+      samples.points.push_back(point);
+      samples.entries.insert(samples.entries.end(), 4, 0.0);
+    }
+    return samples.entries.data() + 4 * static_cast<std::size_t>(samples.slots[slot]);
+  };
+  for (const Part* part = begin; part != end; ++part)
+  {
+    const auto corners = this->F.row(part->triangle);
+    const Eigen::Matrix3d x = this->P(corners, Eigen::all).transpose();
+    const Eigen::Vector3d doubled = (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0));
+    const double length = doubled.norm();
+    if (!(length > 0.0))
+    {
+      continue;
+    }
+    const Eigen::Vector3d n = doubled / length;
+    const std::size_t task = static_cast<std::size_t>(part->triangle) / TrianglesOfTask;
+    const Eigen::Vector3d shares = part->shares < 0 ? Eigen::Vector3d::Constant(1.0 / 3.0).eval()
+                                                    : this->Tasks[task].shares[part->shares];
+    const double share = shares.sum();
+    const double area = 0.5 * length * share;
+    const Eigen::Vector3d middle = x * shares * (0.5 * length);
+    weight += area;
+    place += middle;
+    square += middle * middle.transpose() / area;
+    areaVector += area * n;
+    tangent[0] += area * (1.0 - n(0) * n(0));
+    tangent[1] -= area * n(0) * n(1);
+    tangent[2] -= area * n(0) * n(2);
+    tangent[3] += area * (1.0 - n(1) * n(1));
+    tangent[4] -= area * n(1) * n(2);
+    tangent[5] += area * (1.0 - n(2) * n(2));
+    for (int k = 0; k < 3; ++k)
+    {
+      const Eigen::Vector3d gradient = // its integral
+        0.5 * share * n.cross(x.col(HalfEdgeEnd(k)) - x.col(HalfEdgeStart(k)));
+      double* entry = entryOf(corners(k));
+      entry[0] += 0.5 * length * shares(k);
+      entry[1] += gradient(0);
+      entry[2] += gradient(1);
+      entry[3] += gradient(2);
+    }
+  }
+  if (!(weight > 0.0))
+  {
+    samples.points.resize(first);
+    samples.entries.resize(4 * first);
+    return;
+  }
+  place /= weight;
+  ++samples.numbers.back();
+  samples.weights.push_back(weight);
+  samples.places.push_back(place);
+  samples.areaVectors.push_back(areaVector);
+  samples.tangents.push_back(tangent);
+  samples.spreads.push_back(square / weight - place * place.transpose());
+  samples.entryCounts.push_back(static_cast<int>(samples.points.size() - first));
+}
+
+void SurfaceGrid::Splatter::SumCell(const Part* begin, const Part* end, Samples& samples) const
+{
+  std::array<int, SubCellsOfCell + 1> first = {};
+  for (const Part* part = begin; part != end; ++part)
+  {
+    ++first[part->subCell + 1];
+  }
+  for (int sub = 0; sub < SubCellsOfCell; ++sub)
+  {
+    first[sub + 1] += first[sub];
+  }
+  samples.sorted.resize(end - begin);
+  std::array<int, SubCellsOfCell + 1> next = first;
+  for (const Part* part = begin; part != end; ++part)
+  {
+    samples.sorted[next[part->subCell]++] = *part;
+  }
+  samples.numbers.push_back(0);
+  for (int sub = 0; sub < SubCellsOfCell; ++sub)
+  {
+    if (first[sub] < first[sub + 1])
+    {
+      this->SumSubCell(
+        samples.sorted.data() + first[sub], samples.sorted.data() + first[sub + 1], samples);
+    }
+  }
+}
+
+void SurfaceGrid::Splatter::Sum(const std::vector<int>& cells)
+{
+  SurfaceGrid& grid = this->Grid;
+  const int count = static_cast<int>(cells.size());
+  std::vector<int> first(count + 1, 0);
+  for (const Parts& parts : this->Tasks)
+  {
+    for (const Part& part : parts.parts)
+    {
+      ++first[grid.CellOfBox[part.box] + 1];
+    }
+  }
+  for (int c = 0; c < count; ++c)
+  {
+    first[c + 1] += first[c];
+  }
+  std::vector<Part> sorted(first[count]);
+  std::vector<int> next(first.begin(), first.end() - 1);
+  for (Parts& parts : this->Tasks)
+  {
+    for (const Part& part : parts.parts)
+    {
+      sorted[next[grid.CellOfBox[part.box]]++] = part;
+    }
+    std::vector<Part>().swap(parts.parts);
+  }
+  std::vector<Samples> tasks((count + CellsOfTask - 1) / CellsOfTask);
+  ParallelTasks(static_cast<int>(tasks.size()), this->Threads,
+    [&](int task)
+    {
+      const int end = std::min(count, (task + 1) * CellsOfTask);
+      for (int c = task * CellsOfTask; c < end; ++c)
+      {
+        this->SumCell(sorted.data() + first[c], sorted.data() + first[c + 1], tasks[task]);
+      }
+      std::vector<Part>().swap(tasks[task].sorted);
+    });
+
+  std::size_t samples = 0;
+  std::size_t entries = 0;
+  for (const Samples& task : tasks)
+  {
+    samples += task.weights.size();
+    entries += task.points.size();
+  }
+  grid.FirstSample = { 0 };
+  grid.Weights.resize(static_cast<Eigen::Index>(samples));
+  grid.Places.resize(static_cast<Eigen::Index>(samples), 3);
+  grid.AreaVectors.resize(static_cast<Eigen::Index>(samples), 3);
+  grid.Tangents.resize(static_cast<Eigen::Index>(samples), 6);
+  grid.Spreads.clear();
+  grid.Spreads.reserve(samples);
+  grid.FirstEntry = { 0 };
+  grid.EntryPoints.clear();
+  grid.EntryPoints.reserve(entries);
+  grid.Entries.clear();
+  grid.Entries.reserve(4 * entries);
+  grid.Locals.resize(static_cast<Eigen::Index>(samples), 3);
+  Eigen::Index k = 0;
+  for (Samples& task : tasks)
+  {
+    for (const int number : task.numbers)
+    {
+      grid.FirstSample.push_back(grid.FirstSample.back() + number);
+    }
+    for (std::size_t i = 0; i < task.weights.size(); ++i, ++k)
+    {
+      grid.Weights(k) = task.weights[i];
+      grid.Places.row(k) = task.places[i];
+      grid.AreaVectors.row(k) = task.areaVectors[i];
+      grid.Tangents.row(k) = Eigen::Map<const Eigen::Matrix<double, 1, 6>>(task.tangents[i].data());
+      grid.Spreads.push_back(task.spreads[i]);
+      grid.FirstEntry.push_back(grid.FirstEntry.back() + task.entryCounts[i]);
+    }
+    grid.EntryPoints.insert(grid.EntryPoints.end(), task.points.begin(), task.points.end());
+    grid.Entries.insert(grid.Entries.end(), task.entries.begin(), task.entries.end());
+    task = {};
+  }
+  const std::array<int, 3> boxes = { 2 * grid.Half[0] + 1, 2 * grid.Half[1] + 1,
+    2 * grid.Half[2] + 1 };
+  for (int c = 0; c < count; ++c)
+  {
+    const Eigen::RowVector3d cell(
+      cells[c] % boxes[0], cells[c] / boxes[0] % boxes[1], cells[c] / boxes[0] / boxes[1]);
+    const Eigen::RowVector3d middle = { 0.5 + grid.Half[0], 0.5 + grid.Half[1],
+      0.5 + grid.Half[2] };
+    for (int i = grid.FirstSample[c]; i < grid.FirstSample[c + 1]; ++i)
+    {
+      grid.Locals.row(i) =
+        (grid.Places.row(i) * grid.PerSpacing + middle - cell).cwiseMax(0.0).cwiseMin(1.0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------------------------
+SurfaceGrid::SurfaceGrid(const Points& P, const Triangles& F, double size, int threads)
+  : Size(size)
+  , Spacing(size / SpacingsPerSize)
+{
+  const Eigen::RowVector3d extent = P.cwiseAbs().colwise().maxCoeff();
+  for (;;)
+  {
+    this->PerSpacing = 1.0 / this->Spacing;
+    const Eigen::Array3d half = (extent.transpose().array() * this->PerSpacing + 0.5).floor();
+    const double boxes = (2.0 * half + 1.0).prod();
+    // A box of more cells would have more functions than there may be, unless hardly any of it is
+    // surface.
+    constexpr double MostBoxes = 2e8;
+    if (!(boxes <= MostBoxes))
+    {
+      const double thinnest = extent.maxCoeff() / MostBoxes; // the root below could overflow
+      this->Spacing = std::max(this->Spacing * 1.01 * std::cbrt(boxes / MostBoxes), thinnest);
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Half[axis] = static_cast<int>(half(axis));
+    }
+    this->CellOfBox.assign(static_cast<std::size_t>(boxes), Outside);
+    Splatter splatter(*this, P, F, threads);
+    const std::vector<int> cells = splatter.Cut();
+    this->NumberFunctions(cells);
+    if (this->NumberOfFunctions > MaximumNumberOfFunctions)
+    {
+      this->Spacing *=
+        1.02 * std::sqrt(static_cast<double>(this->NumberOfFunctions) / MaximumNumberOfFunctions);
+      continue;
+    }
+    splatter.Sum(cells);
+    return;
+  }
+}
+
+void SurfaceGrid::NumberFunctions(const std::vector<int>& cells)
+{
+  const int nx = 2 * this->Half[0] + 1;
+  const int ny = 2 * this->Half[1] + 1;
+  const int nz = 2 * this->Half[2] + 1;
+  std::vector<int> functions(static_cast<std::size_t>(nx + 2) * (ny + 2) * (nz + 2), Outside);
+  const auto visit = [&](auto&& act)
+  {
+    for (std::size_t c = 0; c < cells.size(); ++c)
+    {
+      const int x = cells[c] % nx;
+      const int y = cells[c] / nx % ny;
+      const int z = cells[c] / nx / ny;
+      for (int g = 0; g < Near; ++g)
+      {
+        const std::size_t at = x + g % 3 +
+          static_cast<std::size_t>(nx + 2) *
+            (y + g / 3 % 3 + static_cast<std::size_t>(ny + 2) * (z + g / 9));
+        act(c, g, functions[at]);
+      }
+    }
+  };
+  visit([](std::size_t, int, int& function) { function = 0; });
+  this->NumberOfFunctions = 0;
+  for (int& function : functions)
+  {
+    if (function != Outside)
+    {
+      function = this->NumberOfFunctions++;
+    }
+  }
+  this->Functions.resize(Near * cells.size());
+  visit([this](std::size_t c, int g, int& function) { this->Functions[Near * c + g] = function; });
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    this->CellOfBox[cells[c]] = static_cast<int>(c);
+  }
+}
+
+SparseCholesky::Matrix SurfaceGrid::Assemble(double mass, double stiffness, int threads) const
+{
+  using Eigen::Index;
+  const int cells = static_cast<int>(this->Functions.size()) / Near;
+  // Entry `shift` of function g, the other function having a larger number, or g itself.
+  constexpr int Width = Shifts - HalfOfShifts;
+  std::vector<double> values(static_cast<std::size_t>(this->NumberOfFunctions) * Width, 0.0);
+  std::vector<int> others(values.size(), Outside);
+  std::array<std::array<int, Near>, Near> shift = {};
+  for (int a = 0; a < Near; ++a)
+  {
+    for (int b = 0; b < Near; ++b)
+    {
+      shift[a][b] = ShiftOf(a, b) - HalfOfShifts;
+    }
+  }
+  constexpr int CellsAtOnce = 4096;
+  std::vector<Block> blocks(std::min(cells, CellsAtOnce));
+  for (int begin = 0; begin < cells; begin += CellsAtOnce)
+  {
+    const int count = std::min(CellsAtOnce, cells - begin);
+    ParallelTasks((count + CellsOfTask - 1) / CellsOfTask, threads,
+      [&](int task)
+      {
+        const int end = std::min(count, (task + 1) * CellsOfTask);
+        for (int c = task * CellsOfTask; c < end; ++c)
+        {
+          Block& block = blocks[c];
+          block.fill(0.0);
+          for (int k = this->FirstSample[begin + c]; k < this->FirstSample[begin + c + 1]; ++k)
+          {
+            const LocalFunctions f(this->Locals.row(k));
+            const auto q = this->Tangents.row(k);
+            Eigen::Matrix3d Q;
+            Q << q(0), q(1), q(2), q(1), q(3), q(4), q(2), q(4), q(5);
+            // Q = L L^T, semidefinite: a flat piece has no say across itself.
+            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(Q * stiffness);
+            const Eigen::Matrix3d L =
+              eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+            alignas(64) double u[4 * 28] = {};
+            const double root = std::sqrt(mass * this->Weights(k));
+            for (int g = 0; g < Near; ++g)
+            {
+              u[g] = root * f.phi[g];
+              for (int axis = 0; axis < 3; ++axis)
+              {
+                u[28 * (axis + 1) + g] =
+                  (L(0, axis) * f.gradient[0][g] + L(1, axis) * f.gradient[1][g] +
+                    L(2, axis) * f.gradient[2][g]) /
+                  this->Spacing;
+              }
+            }
+            AddOuterProducts(u, block.data());
+          }
+        }
+      });
+    for (int c = 0; c < count; ++c)
+    {
+      const int* functions =
+        this->Functions.data() + static_cast<std::ptrdiff_t>(Near) * (begin + c);
+      for (int a = 0; a < Near; ++a)
+      {
+        for (int b = 0; b <= a; ++b)
+        {
+          const std::size_t at = static_cast<std::size_t>(functions[b]) * Width + shift[b][a];
+          values[at] += blocks[c][28 * a + b];
+          others[at] = functions[a];
+        }
+      }
+    }
+  }
+  SparseCholesky::Matrix A(this->NumberOfFunctions, this->NumberOfFunctions);
+  const auto entries =
+    std::count_if(others.begin(), others.end(), [](int other) { return other != Outside; });
+  A.resizeNonZeros(static_cast<Index>(entries));
+  double trace = 0.0;
+  for (int g = 0; g < this->NumberOfFunctions; ++g)
+  {
+    trace += values[static_cast<std::size_t>(g) * Width];
+  }
+  int at = 0;
+  for (int g = 0; g < this->NumberOfFunctions; ++g)
+  {
+    A.outerIndexPtr()[g] = at;
+    for (int s = 0; s < Width; ++s)
+    {
+      const std::size_t from = static_cast<std::size_t>(g) * Width + s;
+      if (others[from] != Outside)
+      {
+        A.innerIndexPtr()[at] = others[from];
+        A.valuePtr()[at] = values[from] + (s == 0 ? Ridge * trace / this->NumberOfFunctions : 0.0);
+        ++at;
+      }
+    }
+  }
+  A.outerIndexPtr()[this->NumberOfFunctions] = at;
+  return A;
+}
+
+namespace
+{
+/// Pairs of the same two cells, added up.
+struct CellPair
+{
+  std::array<int, 2> cells; // active cells, ascending
+  double weight;
+  std::array<Eigen::Vector3d, 2> t; // weighted places in these cells
+};
+}
+
+void SurfaceGrid::AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::Matrix& A) const
+{
+  std::vector<CellPair> found;
+  for (const GridPair& pair : pairs)
+  {
+    CellPair both = { {}, pair.weight, {} };
+    for (int side = 0; side < 2; ++side)
+    {
+      const Place place = this->Locate((side == 0 ? pair.u : pair.v).transpose());
+      both.cells[side] = this->CellOfBox[BoxIndex(this->Half, place.cell)];
+      both.t[side] = pair.weight * place.t;
+    }
+    if (both.cells[0] > both.cells[1])
+    {
+      std::swap(both.cells[0], both.cells[1]);
+      std::swap(both.t[0], both.t[1]);
+    }
+    if (both.cells[0] != Outside)
+    {
+      found.push_back(both);
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+    [](const CellPair& a, const CellPair& b) { return a.cells < b.cells; });
+  if (found.empty())
+  {
+    return;
+  }
+  // The numbers of functions follow their places, so that an entry is found by the place of the
+  // other function from here: up to Reach away along each axis.
+  const std::array<int, 3> nodes = { 2 * this->Half[0] + 3, 2 * this->Half[1] + 3,
+    2 * this->Half[2] + 3 };
+  std::vector<std::array<int, 3>> places(this->NumberOfFunctions);
+  for (std::size_t box = 0; box < this->CellOfBox.size(); ++box)
+  {
+    const int cell = this->CellOfBox[box];
+    const int at = static_cast<int>(box);
+    for (int g = 0; cell != Outside && g < Near; ++g)
+    {
+      places[this->Functions[static_cast<std::size_t>(Near) * cell + g]] = {
+        at % (nodes[0] - 2) + g % 3, at / (nodes[0] - 2) % (nodes[1] - 2) + g / 3 % 3,
+        at / (nodes[0] - 2) / (nodes[1] - 2) + g / 9
+      };
+    }
+  }
+  constexpr int Reach = 6; // a wall is thinner than 2 s, three cells
+  constexpr int Width = 2 * Reach + 1;
+  constexpr int Middle = Width * Width * Width / 2;
+  std::vector<std::vector<double>> rows(this->NumberOfFunctions); // from Middle on
+  const auto add = [&](int a, int b, double value)
+  {
+    const int column = std::min(a, b);
+    const int row = std::max(a, b);
+    std::array<int, 3> shift;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      shift[axis] = places[row][axis] - places[column][axis] + Reach;
+    }
+    if (rows[column].empty())
+    {
+      rows[column].assign(Middle + 1, 0.0);
+    }
+    rows[column][shift[0] + Width * (shift[1] + Width * shift[2]) - Middle] += value;
+  };
+  const double scale = this->Size * this->Size;
+  for (std::size_t i = 0; i < found.size();)
+  {
+    CellPair sum = found[i];
+    const bool apart = sum.cells[0] != sum.cells[1]; // in one cell nothing says which side is which
+    for (++i; apart && i < found.size() && found[i].cells == sum.cells; ++i)
+    {
+      sum.weight += found[i].weight;
+      sum.t[0] += found[i].t[0];
+      sum.t[1] += found[i].t[1];
+    }
+    std::array<int, 2 * Near> functions = {};
+    std::array<double, 2 * Near> phi = {};
+    for (int side = 0; side < 2; ++side)
+    {
+      const LocalFunctions local(sum.t[side] / sum.weight);
+      for (int g = 0; g < Near; ++g)
+      {
+        functions[Near * side + g] =
+          this->Functions[static_cast<std::size_t>(Near) * sum.cells[side] + g];
+        phi[Near * side + g] = side == 0 ? local.phi[g] : -local.phi[g];
+      }
+    }
+    for (int a = 0; a < 2 * Near; ++a)
+    {
+      for (int b = 0; b <= a; ++b)
+      {
+        // A function that both sides have comes twice off the diagonal of this block, and is on
+        // that of A.
+        const double share = a != b && functions[a] == functions[b] ? 2.0 : 1.0;
+        add(functions[a], functions[b], share * scale * sum.weight * phi[a] * phi[b]);
+      }
+    }
+  }
+  const std::size_t box = static_cast<std::size_t>(nodes[0]) * nodes[1] * nodes[2];
+  std::vector<int> functionAt(box, Outside);
+  const auto index = [&](const std::array<int, 3>& place)
+  {
+    return place[0] +
+      static_cast<std::size_t>(nodes[0]) *
+      (place[1] + static_cast<std::size_t>(nodes[1]) * place[2]);
+  };
+  for (int g = 0; g < this->NumberOfFunctions; ++g)
+  {
+    functionAt[index(places[g])] = g;
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int g = 0; g < this->NumberOfFunctions; ++g)
+  {
+    for (std::size_t k = 0; k < rows[g].size(); ++k)
+    {
+      if (rows[g][k] != 0.0)
+      {
+        const int shift = static_cast<int>(k) + Middle;
+        const std::array<int, 3> other = { places[g][0] + shift % Width - Reach,
+          places[g][1] + shift / Width % Width - Reach,
+          places[g][2] + shift / Width / Width - Reach };
+        entries.emplace_back(functionAt[index(other)], g, rows[g][k]);
+      }
+    }
+    std::vector<double>().swap(rows[g]);
+  }
+  SparseCholesky::Matrix more(A.rows(), A.cols());
+  more.setFromTriplets(entries.begin(), entries.end());
+  A += more;
+  A.makeCompressed();
+}
+
+void SurfaceGrid::Factor(const std::vector<GridPair>& pairs, int threads)
+{
+  SparseCholesky::Matrix A = this->Assemble(1.0, this->Size * this->Size, threads);
+  this->AddPairs(pairs, A);
+  this->System.Analyze(A);
+  this->System.Factor(A, SparseCholesky::Precision::Double, threads);
+}
+
+void SurfaceGrid::FactorPoisson(int threads)
+{
+  const SparseCholesky::Matrix A = this->Assemble(PoissonMass, 1.0, threads);
+  this->System.Analyze(A);
+  this->System.Factor(A, SparseCholesky::Precision::Double, threads);
+}
+
+Fields SurfaceGrid::Means(const Fields& X, int threads) const
+{
+  Fields means(this->GetNumberOfSamples(), X.cols());
+  ParallelFor(this->GetNumberOfSamples(), threads,
+    [&](int begin, int end)
+    {
+      for (int k = begin; k < end; ++k)
+      {
+        means.row(k).setZero();
+        for (int e = this->FirstEntry[k]; e < this->FirstEntry[k + 1]; ++e)
+        {
+          means.row(k) +=
+            this->Entries[4 * static_cast<std::size_t>(e)] * X.row(this->EntryPoints[e]);
+        }
+        means.row(k) /= this->Weights(k);
+      }
+    });
+  return means;
+}
+
+Fields SurfaceGrid::Gradients(const Points& X, int threads) const
+{
+  Fields gradients(this->GetNumberOfSamples(), 9);
+  ParallelFor(this->GetNumberOfSamples(), threads,
+    [&](int begin, int end)
+    {
+      for (int k = begin; k < end; ++k)
+      {
+        Eigen::Matrix3d G = Eigen::Matrix3d::Zero();
+        for (int e = this->FirstEntry[k]; e < this->FirstEntry[k + 1]; ++e)
+        {
+          const Eigen::Map<const Eigen::RowVector3d> gradient(
+            this->Entries.data() + 4 * static_cast<std::size_t>(e) + 1);
+          G += X.row(this->EntryPoints[e]).transpose() * gradient;
+        }
+        G /= this->Weights(k);
+        gradients.row(k) << G.row(0), G.row(1), G.row(2);
+      }
+    });
+  return gradients;
+}
+
+Fields SurfaceGrid::Smooth(const Fields& X, int threads) const
+{
+  return this->Solve(X, Fields(0, 0), threads);
+}
+
+Fields SurfaceGrid::Solve(const Fields& X, const Fields& Y, int threads) const
+{
+  const Eigen::Index columns = X.cols();
+  Fields b = Fields::Zero(this->NumberOfFunctions, columns);
+  const int cells = static_cast<int>(this->Functions.size()) / Near;
+  for (int c = 0; c < cells; ++c)
+  {
+    const int* functions = this->Functions.data() + static_cast<std::ptrdiff_t>(Near) * c;
+    for (int k = this->FirstSample[c]; k < this->FirstSample[c + 1]; ++k)
+    {
+      const LocalFunctions f(this->Locals.row(k));
+      for (int g = 0; g < Near; ++g)
+      {
+        b.row(functions[g]) += f.phi[g] * this->Weights(k) * X.row(k);
+        if (Y.rows() > 0)
+        {
+          const Eigen::Vector3d slope =
+            Eigen::Vector3d(f.gradient[0][g], f.gradient[1][g], f.gradient[2][g]) / this->Spacing;
+          for (Eigen::Index j = 0; j < columns; ++j)
+          {
+            b(functions[g], j) += Y.row(k).segment<3>(3 * j).dot(slope);
+          }
+        }
+      }
+    }
+  }
+  for (Eigen::Index first = 0; first < columns; first += 3)
+  {
+    const Eigen::Index count = std::min<Eigen::Index>(3, columns - first);
+    SparseCholesky::RightHandSides B =
+      SparseCholesky::RightHandSides::Zero(this->NumberOfFunctions, 3);
+    B.leftCols(count) = b.middleCols(first, count);
+    this->System.Solve(B, threads);
+    b.middleCols(first, count) = B.leftCols(count);
+  }
+  return b;
+}
+
+template <typename Placing>
+Fields SurfaceGrid::Evaluate(
+  const Fields& coefficients, int count, const Placing& locate, int threads) const
+{
+  const int columns = static_cast<int>(coefficients.cols());
+  Fields result(count, columns);
+  const int stride = columns <= 4 ? 4 : 12;
+  for (int first = 0; first < columns; first += stride)
+  {
+    const int width = std::min(stride, columns - first);
+    Fields packed = Fields::Zero(coefficients.rows(), stride);
+    packed.leftCols(width) = coefficients.middleCols(first, width);
+    ParallelTasks((count + PointsOfPacket - 1) / PointsOfPacket, threads,
+      [&](int task)
+      {
+        const int begin = task * PointsOfPacket;
+        const int number = std::min(PointsOfPacket, count - begin);
+        std::vector<double> t(3 * static_cast<std::size_t>(number));
+        std::vector<const int*> functions(number);
+        for (int i = 0; i < number; ++i)
+        {
+          functions[i] = locate(begin + i, t.data() + 3 * static_cast<std::size_t>(i));
+        }
+        std::vector<double> values;
+        double* into = result.data() + static_cast<std::ptrdiff_t>(begin) * columns;
+        if (width < columns)
+        {
+          values.resize(static_cast<std::size_t>(number) * width);
+          into = values.data();
+        }
+        (stride == 4 ? Evaluate4 : Evaluate12)(
+          t.data(), functions.data(), number, packed.data(), width, into);
+        if (width < columns)
+        {
+          result.block(begin, first, number, width) =
+            Eigen::Map<const Fields>(values.data(), number, width);
+        }
+      });
+  }
+  return result;
+}
+
+Fields SurfaceGrid::AtSamples(const Fields& coefficients, int threads) const
+{
+  std::vector<int> cells(this->GetNumberOfSamples());
+  for (std::size_t c = 0; c + 1 < this->FirstSample.size(); ++c)
+  {
+    std::fill(cells.begin() + this->FirstSample[c], cells.begin() + this->FirstSample[c + 1],
+      static_cast<int>(c));
+  }
+  return this->Evaluate(
+    coefficients, this->GetNumberOfSamples(),
+    [&](int k, double* t)
+    {
+      std::copy_n(this->Locals.row(k).data(), 3, t);
+      return this->Functions.data() + static_cast<std::ptrdiff_t>(Near) * cells[k];
+    },
+    threads);
+}
+
+Fields SurfaceGrid::AtPoints(const Fields& coefficients, const Points& x, int threads) const
+{
+  return this->Evaluate(
+    coefficients, static_cast<int>(x.rows()),
+    [&](int i, double* t)
+    {
+      const Place place = this->Locate(x.row(i));
+      std::copy_n(place.t.data(), 3, t);
+      return this->FunctionsAt(place);
+    },
+    threads);
+}
+} // namespace SphericalStyle

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Smooth fields on a surface, on a regular grid of B-splines that does not know the triangles
+/// [grid].
+#ifndef SphericalStyle_SurfaceGrid_h
+#define SphericalStyle_SurfaceGrid_h
+
+#include "SparseCholesky.h"
+#include "TriangleMesh.h"
+
+#include <array>
+
+namespace SphericalStyle
+{
+/// One row per point, sample or function.
+using Fields = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Two places whose values are held together, see SurfaceGrid::Factor.
+struct GridPair
+{
+  Eigen::Vector3d u;
+  Eigen::Vector3d v;
+  double weight; ///< no unit, as half a cotangent
+};
+
+/// Quadratic B-splines phi_g on a regular grid of spacing h = s / 1.5, restricted to a surface
+/// (Chuang, Luo, Brown, Rusinkiewicz, Kazhdan, Estimating the Laplace-Beltrami operator by
+/// restricting 3D functions, Symposium on Geometry Processing 2009). Only functions that touch the
+/// surface count: their number depends on the area and on s, and not on the triangles.
+///
+/// Splat: integrals over the surface are sums over quadrature points, weighted 3/4 at the centroid
+/// and 1/12 at each corner of a triangle; triangles longer than .75 h are cut evenly before. What
+/// lies in one sub-cell, a 27th of a cell, is added up to one sample k, so that what follows does
+/// not depend on the number of triangles: with q the quadrature points in the sub-cell, w_q their
+/// areas, n_q their normals,
+///
+///     w_k = sum w_q,   x_k = sum w_q x_q / w_k,   N_k = sum w_q n_q,   Q_k = sum w_q (I - n_q
+///     n_q^T).
+///
+/// A triangle no longer than h / 6 with its corners in one cell counts with its centroid alone.
+///
+/// Solve: with M = sum w_k phi phi^T and K = sum grad phi^T Q_k grad phi, both at x_k,
+///
+///     A_s = M + s^2 K + 1e-7 mean(diag) I,      Smooth(X) = A_s^-1 sum w_k phi(x_k) X_k.
+///
+/// Sample: a field is the sum of 27 products at any place near the surface.
+///
+/// The grid lies symmetrically about the origin, which is the middle of the bounds of a mesh in its
+/// Frame: a mirror image gets the mirrored grid. Results have the same bits for any number of
+/// threads.
+///
+/// Cost: one pass over the triangles; then for G functions (about 10 area / h^2) their factor,
+/// about G^1.5, and about 45 bytes a point.
+class SurfaceGrid
+{
+public:
+  /// Most functions; beyond, the spacing grows until there are no more. Their factor takes about 2
+  /// s and 1 GB.
+  static constexpr int MaximumNumberOfFunctions = 60000;
+
+  SurfaceGrid() = default;
+  /// Splats the triangles. @param P  n x 3, in the frame @param F  m x 3, m > 0; those without area
+  /// do not count
+  /// @param size  s, above 0; fraction of the diagonal, as the frame's is 1
+  SurfaceGrid(const Points& P, const Triangles& F, double size, int threads);
+
+  /// A_s, and its factor. @param pairs  no more than three cells apart; those of the same two
+  /// different cells count as one at their mean places. Each adds s^2 weight
+  /// (phi(u) - phi(v)) (phi(u) - phi(v))^T [wall]; one with an end in a cell without samples does
+  /// not count
+  /// @throw SolverError
+  void Factor(const std::vector<GridPair>& pairs, int threads);
+  /// The same for K + M alone, to integrate gradients.
+  void FactorPoisson(int threads);
+
+  double GetSize() const { return this->Size; }
+  double GetSpacing() const { return this->Spacing; }
+  /// Whether the spacing is larger than s / 1.5, for there would be too many functions.
+  bool IsCoarser() const { return this->Spacing > this->Size / SpacingsPerSize * (1.0 + 1e-12); }
+  int GetNumberOfFunctions() const { return this->NumberOfFunctions; }
+  int GetNumberOfSamples() const { return static_cast<int>(this->Weights.size()); }
+  const Eigen::VectorXd& GetWeights() const { return this->Weights; } ///< w_k, area
+  const Points& GetPlaces() const { return this->Places; }            ///< x_k
+  const Points& GetAreaVectors() const { return this->AreaVectors; }  ///< N_k
+  /// Mean of (x_q - x_k)(x_q - x_k)^T in a sample.
+  const std::vector<Eigen::Matrix3d>& GetSpreads() const { return this->Spreads; }
+
+  /// Means over each sample of a field that is linear on each triangle. @param X  n x c @return
+  /// samples x c
+  Fields Means(const Fields& X, int threads) const;
+  /// Means of its gradient along the surface, dX_a / dx_b at 3 a + b. @param X  n x 3 @return
+  /// samples x 9
+  Fields Gradients(const Points& X, int threads) const;
+  /// Coefficients of the field nearest to X. @param X  samples x c @return functions x c
+  Fields Smooth(const Fields& X, int threads) const;
+  /// The same for any right-hand side sum_k (w_k phi X_k + grad phi . Y_k); Y may have no rows.
+  /// @param Y  samples x 3 c, the vector of component j at 3 j
+  Fields Solve(const Fields& X, const Fields& Y, int threads) const;
+  /// The field at the samples, samples x c.
+  Fields AtSamples(const Fields& coefficients, int threads) const;
+  /// The field at points of the surface. @param x  n x 3 @return n x c
+  Fields AtPoints(const Fields& coefficients, const Points& x, int threads) const;
+
+private:
+  static constexpr double SpacingsPerSize = 1.5;
+  class Splatter;
+  struct Place; // of a point in the grid
+
+  Place Locate(const Eigen::RowVector3d& x) const;
+  const int* FunctionsAt(const Place& place) const;
+  void NumberFunctions(const std::vector<int>& cells);
+  SparseCholesky::Matrix Assemble(double mass, double stiffness, int threads) const;
+  void AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::Matrix& A) const;
+  /// @param locate  gives the functions at place i, or nullptr, and where it is in their cell
+  template <typename Placing>
+  Fields Evaluate(const Fields& coefficients, int count, const Placing& locate, int threads) const;
+
+  double Size = 0.0;
+  double Spacing = 0.0;
+  double PerSpacing = 0.0;
+  std::array<int, 3> Half = {}; // cells on each side of the one in the middle
+  std::vector<int> CellOfBox;   // active cell of each cell of the box, or -1
+  std::vector<int> Functions;   // 27 of each active cell
+  int NumberOfFunctions = 0;
+
+  std::vector<int> FirstSample; // of each active cell, and one past the last
+  Points Locals;                // x_k in its cell, 0..1
+  Eigen::VectorXd Weights;
+  Points Places;
+  Points AreaVectors;
+  Fields Tangents; // Q_k: xx, xy, xz, yy, yz, zz
+  std::vector<Eigen::Matrix3d> Spreads;
+  // What each point adds to a sample: W and the gradients of its hat function.
+  std::vector<int> FirstEntry;
+  std::vector<int> EntryPoints;
+  std::vector<double> Entries; // 4 each: share of the area, then the integral of the gradient
+  SparseCholesky System;
+};
+} // namespace SphericalStyle
+
+#endif

@@ -1,0 +1,334 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What follows its normals keeps the thickness of its limbs while its bones become shorter.
+#include "Check.h"
+#include "LimbThickness.h"
+#include "Meshes.h"
+#include "SphericalStyleMethod.h"
+
+#include <Eigen/Cholesky>
+
+#include <functional>
+#include <map>
+#include <string>
+
+using namespace SphericalStyle;
+
+namespace
+{
+using Meshes::Vector;
+
+double Capsule(const Vector& x, const Vector& a, const Vector& b, double radius)
+{
+  const Vector along = b - a;
+  const double t = std::clamp((x - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (x - a - t * along).norm() - radius;
+}
+
+/// The surface f = 0, f > 0 outside, by six tetrahedra in each cube of a lattice: watertight.
+TriangleMesh Isosurface(
+  const std::function<double(const Vector&)>& f, const Vector& low, const Vector& high, double edge)
+{
+  std::array<int, 3> counts;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    counts[axis] = static_cast<int>(std::ceil((high(axis) - low(axis)) / edge)) + 1;
+  }
+  const auto place = [&](int node)
+  {
+    const Vector at(node % counts[0], node / counts[0] % counts[1], node / counts[0] / counts[1]);
+    return Vector(low + edge * at);
+  };
+  std::vector<double> values(static_cast<std::size_t>(counts[0]) * counts[1] * counts[2]);
+  for (std::size_t node = 0; node < values.size(); ++node)
+  {
+    values[node] = f(place(static_cast<int>(node)));
+  }
+  std::vector<Vector> points;
+  std::vector<std::array<int, 3>> triangles;
+  std::map<std::pair<int, int>, int> numbers;
+  const auto crossing = [&](int inside, int outside)
+  {
+    const auto found = numbers.insert({ { inside, outside }, static_cast<int>(points.size()) });
+    if (found.second)
+    {
+      const double t = values[inside] / (values[inside] - values[outside]);
+      points.push_back((1.0 - t) * place(inside) + t * place(outside));
+    }
+    return found.first->second;
+  };
+  const auto add = [&](int a, int b, int c, const Vector& outward)
+  {
+    const Vector n = (points[b] - points[a]).cross(points[c] - points[a]);
+    triangles.push_back(
+      n.dot(outward) > 0.0 ? std::array<int, 3>{ a, b, c } : std::array<int, 3>{ a, c, b });
+  };
+  const int steps[3] = { 1, counts[0], counts[0] * counts[1] };
+  std::array<int, 3> order = { 0, 1, 2 };
+  for (int z = 0; z + 1 < counts[2]; ++z)
+  {
+    for (int y = 0; y + 1 < counts[1]; ++y)
+    {
+      for (int x = 0; x + 1 < counts[0]; ++x)
+      {
+        std::sort(order.begin(), order.end());
+        do
+        {
+          std::vector<int> inside, outside;
+          int node = x * steps[0] + y * steps[1] + z * steps[2];
+          (values[node] < 0.0 ? inside : outside).push_back(node);
+          for (const int axis : order)
+          {
+            node += steps[axis];
+            (values[node] < 0.0 ? inside : outside).push_back(node);
+          }
+          if (inside.empty() || outside.empty())
+          {
+            continue;
+          }
+          Vector outward = Vector::Zero();
+          for (const int i : inside)
+          {
+            outward -= place(i) / static_cast<double>(inside.size());
+          }
+          for (const int i : outside)
+          {
+            outward += place(i) / static_cast<double>(outside.size());
+          }
+          if (inside.size() == 2)
+          {
+            const int a = crossing(inside[0], outside[0]), b = crossing(inside[0], outside[1]);
+            const int c = crossing(inside[1], outside[1]), d = crossing(inside[1], outside[0]);
+            add(a, b, c, outward);
+            add(a, c, d, outward);
+          }
+          else if (inside.size() == 1)
+          {
+            add(crossing(inside[0], outside[0]), crossing(inside[0], outside[1]),
+              crossing(inside[0], outside[2]), outward);
+          }
+          else
+          {
+            add(crossing(inside[0], outside[0]), crossing(inside[1], outside[0]),
+              crossing(inside[2], outside[0]), outward);
+          }
+        } while (std::next_permutation(order.begin(), order.end()));
+      }
+    }
+  }
+  return Meshes::Make(points, triangles);
+}
+
+/// A straight limb or, where its ends are one place, a ball.
+struct Limb
+{
+  std::string name;
+  Vector from;
+  Vector to;
+  double radius;
+};
+
+struct Model
+{
+  std::string name;
+  TriangleMesh mesh;
+  std::vector<Limb> limbs;
+};
+
+Model DumbBell()
+{
+  const Vector left(-0.72, 0.0, 0.0), right(0.72, 0.0, 0.0);
+  constexpr double ball = 0.24, bar = 0.09;
+  const auto f = [&](const Vector& x)
+  {
+    return std::min(
+      { Capsule(x, left, right, bar), (x - left).norm() - ball, (x - right).norm() - ball });
+  };
+  return { "dumb-bell", Isosurface(f, { -1.013, -0.287, -0.291 }, { 1.02, 0.29, 0.29 }, 0.0197),
+    { { "bar", left, right, bar }, { "left ball", left, left, ball },
+      { "right ball", right, right, ball } } };
+}
+
+Model Table()
+{
+  constexpr double leg = 0.085, top = 0.1;
+  std::vector<Limb> limbs;
+  for (int k = 0; k < 4; ++k)
+  {
+    const double x = k % 2 == 0 ? -0.6 : 0.6, y = k / 2 == 0 ? -0.4 : 0.4;
+    limbs.push_back({ "leg " + std::to_string(k), { x, y, -1.1 }, { x, y, 0.0 }, leg });
+  }
+  const auto f = [&](const Vector& x)
+  {
+    // A rounded plate.
+    const Vector away = (x.cwiseAbs() - Vector(0.65, 0.45, 0.0)).cwiseMax(0.0);
+    double distance = away.norm() - top;
+    for (const Limb& limb : limbs)
+    {
+      distance = std::min(distance, Capsule(x, limb.from, limb.to, limb.radius));
+    }
+    return distance;
+  };
+  return { "table", Isosurface(f, { -0.793, -0.591, -1.227 }, { 0.79, 0.58, 0.13 }, 0.0211),
+    limbs };
+}
+
+/// Points of a limb from one share of its length to another: of the shaft, or of the half of a ball
+/// that looks away from the middle of the model.
+std::vector<int> PointsOf(const Model& model, const Limb& limb, double from, double to)
+{
+  std::vector<int> points;
+  const Vector along = limb.to - limb.from;
+  for (int i = 0; i < model.mesh.P.rows(); ++i)
+  {
+    const Vector x = model.mesh.P.row(i).transpose() - limb.from;
+    if (along.norm() == 0.0)
+    {
+      if (std::abs(x.norm() - limb.radius) < 0.02 * limb.radius && x.dot(limb.from) > 0.0)
+      {
+        points.push_back(i);
+      }
+      continue;
+    }
+    const double t = x.dot(along) / along.squaredNorm();
+    if (t > from && t < to && (x - t * along).norm() < 1.02 * limb.radius)
+    {
+      points.push_back(i);
+    }
+  }
+  return points;
+}
+
+/// Mean distance of points from the axis of a limb of that direction through their own middle, or
+/// radius of the ball that fits them best.
+double RadiusOf(const Points& Q, const std::vector<int>& points, const Vector& along)
+{
+  Points x(points.size(), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    x.row(i) = Q.row(points[i]);
+  }
+  if (along.norm() == 0.0)
+  {
+    Eigen::MatrixX4d A(x.rows(), 4);
+    A << 2.0 * x, Eigen::VectorXd::Ones(x.rows());
+    const Eigen::Vector4d fit =
+      (A.transpose() * A).ldlt().solve(A.transpose() * x.rowwise().squaredNorm());
+    return std::sqrt(fit(3) + fit.head<3>().squaredNorm());
+  }
+  const Eigen::RowVector3d axis = along.normalized().transpose();
+  x = x - (x * axis.transpose()) * axis;
+  // Points are not spread evenly around the axis: the middle of the circle that fits them.
+  const Vector u = axis.transpose().unitOrthogonal();
+  const Vector v = Vector(axis.transpose()).cross(u);
+  Eigen::MatrixX3d A(x.rows(), 3);
+  A << 2.0 * x * u, 2.0 * x * v, Eigen::VectorXd::Ones(x.rows());
+  const Eigen::Vector3d fit =
+    (A.transpose() * A).ldlt().solve(A.transpose() * x.rowwise().squaredNorm());
+  return std::sqrt(fit(2) + fit.head<2>().squaredNorm());
+}
+
+Eigen::RowVector3d MiddleOf(const Points& Q, const std::vector<int>& points)
+{
+  return Q(points, Eigen::all).colwise().mean();
+}
+
+void Measure(const Model& model)
+{
+  const double diagonal = Meshes::Diagonal(model.mesh.P);
+  SphericalStyleMethod method;
+  method.SetMesh(model.mesh);
+  for (const double mu : { 1.0, 2.0 })
+  {
+    // The goal is .02 for both. What keeps more from being true today: details give way too far
+    // from the creases where they fold (legs), and base and normals stretch near the ends of a limb
+    // (lengths).
+    const double thicknessWithin = mu == 1.0 ? 0.065 : 0.135;
+    const double lengthWithin = mu == 1.0 ? 0.045 : 0.09;
+    MethodOptions o;
+    o.sphericalWeighting = SphericalWeighting::Cotangent;
+    o.centerMode = CenterMode::AreaCentroid;
+    o.lambda = mu / std::sqrt(3.0);
+    o.normalBlend = 1.0;
+    o.detailSize = 0.06;
+    o.size.keep = KeepSize::Off;
+    const StyleReport report = method.Solve(o);
+    CHECK(report.closedForm, model.name << ": not in closed form");
+    const Points& Q = method.GetPositions();
+    const Points& P = model.mesh.P;
+    for (const Limb& limb : model.limbs)
+    {
+      const std::string what = model.name + ", mu " + std::to_string(mu) + ": " + limb.name;
+      const Vector along = limb.to - limb.from;
+      const std::vector<int> middle = PointsOf(model, limb, 0.42, 0.58);
+      const double thickness = RadiusOf(Q, middle, along) / RadiusOf(P, middle, along);
+      std::cout << what << " of radius " << limb.radius / diagonal << " (" << middle.size()
+                << " points) becomes " << thickness << " as thick";
+      CHECK_NEAR(thickness, 1.0, thicknessWithin, what + ": thickness, of that at rest");
+      if (along.norm() > 0.0)
+      {
+        const std::vector<int> a = PointsOf(model, limb, 0.3, 0.36);
+        const std::vector<int> b = PointsOf(model, limb, 0.64, 0.7);
+        const double length = (MiddleOf(Q, b) - MiddleOf(Q, a)).norm() /
+          (MiddleOf(P, b) - MiddleOf(P, a)).norm() * (1.0 + mu);
+        std::cout << ", " << length << " of 1 / (1 + mu) as long";
+        CHECK_NEAR(length, 1.0, lengthWithin, what + ": length, of 1 / (1 + mu)");
+      }
+      std::cout << std::endl;
+    }
+    if (model.name == "dumb-bell")
+    {
+      const std::vector<int> a = PointsOf(model, model.limbs[1], 0.0, 1.0);
+      const std::vector<int> b = PointsOf(model, model.limbs[2], 0.0, 1.0);
+      // Halves of balls: their middles are off their centers by half a radius.
+      const double off = model.limbs[1].radius;
+      const double before = (MiddleOf(P, b) - MiddleOf(P, a)).norm() - off;
+      const double after = (MiddleOf(Q, b) - MiddleOf(Q, a)).norm() - off;
+      std::cout << model.name << ", mu " << mu << ": centers of the balls "
+                << after / before * (1.0 + mu) << " of 1 / (1 + mu) apart" << std::endl;
+      CHECK_NEAR(after / before * (1.0 + mu), 1.0, lengthWithin,
+        model.name + ": distance of the balls, of 1 / (1 + mu)");
+    }
+  }
+}
+
+/// A sheet has no thickness, a ball has its radius, and a shell that of its wall.
+void Shapes()
+{
+  using namespace Meshes;
+  const auto thickness = [](const TriangleMesh& mesh, double radius)
+  {
+    const Frame frame = FrameOf(mesh.P);
+    const Points P = frame.Into(mesh.P);
+    const Eigen::VectorXd rho = LimbThickness(P, P, mesh.F, radius, 2);
+    CHECK(rho.size() == mesh.P.rows() && rho.allFinite() && rho.minCoeff() > 0.0,
+      "the thickness must be above 0 everywhere");
+    return Eigen::VectorXd(frame.scale * rho);
+  };
+  const Eigen::VectorXd ball = thickness(Icosphere(4), 10.0);
+  CHECK(ball.maxCoeff() < 1.01 && ball.minCoeff() > 0.96,
+    "a ball of radius 1 has the thickness " << ball.minCoeff() << " to " << ball.maxCoeff());
+  const Eigen::VectorXd small = thickness(Icosphere(4), 0.1);
+  CHECK_NEAR(small.maxCoeff(), 0.1 * std::sqrt(12.0), 1e-9, "a thickness above r");
+  const TriangleMesh shell = HollowBall(0.4, 4);
+  const Eigen::VectorXd wall = thickness(shell, 10.0);
+  std::cout << "ball: thickness " << ball.minCoeff() << " to " << ball.maxCoeff()
+            << "; wall of half thickness .2: " << wall.minCoeff() << " to " << wall.maxCoeff()
+            << std::endl;
+  CHECK(wall.maxCoeff() < 0.21 && wall.minCoeff() > 0.196,
+    "a wall of .4 has the half thickness " << wall.minCoeff() << " to " << wall.maxCoeff());
+  const double sheetRadius = 0.2;
+  const Eigen::VectorXd sheet = thickness(Patch(12, 0.0), sheetRadius);
+  CHECK_NEAR(sheet.minCoeff(), sheetRadius * Diagonal(Patch(12, 0.0).P), 1e-9,
+    "a flat sheet, which no ray meets,");
+}
+}
+
+int main()
+{
+  Shapes();
+  Measure(DumbBell());
+  Measure(Table());
+  return CheckResult();
+}
