@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkConvexProxyDeformFilter.h"
 
+#include "Advice.h"
 #include "BlendFunction.h"
 #include "ProxyDeformation.h"
 #include "vtkFilterSupport.h"
+#include "vtkLongEdges.h"
 #include "vtkPoissonDisk.h"
 #include "vtkSurfaceMeshConversion.h"
 #include "vtkSurfaceRegion.h"
@@ -25,6 +27,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +70,9 @@ constexpr double FarFromConvex = 1.0 / 3.0;
 constexpr double ManyTurnedOver = 0.01;
 
 /// Corners of the bounds, the length that fractions refer to.
+/// With RefineLongEdges, fraction of the diagonal: that of vtkSphericalStyleFilter.
+constexpr double LongestEdge = 0.04;
+
 double Diagonal(const Points& P)
 {
   return P.rows() > 0 ? (P.colwise().maxCoeff() - P.colwise().minCoeff()).stableNorm() : 0.0;
@@ -480,7 +486,23 @@ int vtkConvexProxyDeformFilter::Execute(
   namespace Conversion = vtkSurfaceMeshConversion;
   const SphericalStyle::ProxyDeformation& deformation = this->Internal->Deformation;
   Internals::CheckProperties(this);
-  const vtkSurfaceMesh surface = Conversion::FromPolyData(input, true, Conversion::TakePoints::All);
+  vtkSurfaceMesh surface = Conversion::FromPolyData(input, true, Conversion::TakePoints::All);
+  vtkSmartPointer<vtkPolyData> split;
+  vtkSmartPointer<vtkSelection> splitSelection;
+  if (vtkLongEdges::IsWanted(this->RefineLongEdges, SphericalStyle::LongEdgeShare(surface.Mesh)))
+  {
+    const vtkLongEdges::Refined refined = vtkLongEdges::Split(input, surface, LongestEdge,
+      { Conversion::FindPointArray(this->GetInputArrayInformation(REGION_MASK), input, "Region") });
+    if (selection)
+    {
+      splitSelection =
+        vtkLongEdges::Select(vtkSurfaceRegion::SelectedPoints(this, input, selection), refined);
+      selection = splitSelection;
+    }
+    split = refined.Surface;
+    input = split;
+    surface = Conversion::FromPolyData(input, true, Conversion::TakePoints::All);
+  }
   ProxyDeformationOptions options = Internals::MakeOptions(this, surface, input, ownProxy);
   const std::vector<char> region = vtkSurfaceRegion::Marks(
     this, this->GetInputArrayInformation(REGION_MASK), selection, input, surface);
@@ -541,6 +563,7 @@ void vtkConvexProxyDeformFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AxisGain: " << Triple(this->AxisGain) << "\n";
   os << indent << "BorderWidth: " << this->BorderWidth << "\n";
   os << indent << "Transfer: " << this->Transfer << "\n";
+  os << indent << "RefineLongEdges: " << this->RefineLongEdges << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "GenerateNormals: " << OnOff(this->GenerateNormals) << "\n";

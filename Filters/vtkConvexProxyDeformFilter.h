@@ -26,8 +26,8 @@
  *  - 3: region, 1 component: points where it is 0 keep their bits. With a selection too, a point
  *       must be in both.
  *
- * Output port 0: vtkPolyData with the cells, point order and every array of the input, and the
- * point arrays
+ * Output port 0: vtkPolyData with the cells, point order and every array of the input, unless
+ * RefineLongEdges splits cells, and the point arrays
  *  - t (1, or 3 with a t array of 3): the weight of the input point, border included, no unit;
  *  - Displacement (3): output minus input point, model length;
  *  - Normals: recomputed if the input had point normals or GenerateNormals is on;
@@ -82,6 +82,12 @@ public:
   vtkTypeMacro(vtkConvexProxyDeformFilter, vtkWholeSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum Refinements
+  {
+    NEVER = 0,
+    WHERE_COARSE = 1,
+    ALWAYS = 2
+  };
   enum ProxyMeshers
   {
     ISOTROPIC_REMESHING = 0,
@@ -379,6 +385,20 @@ public:
 
   ///@{
   /**
+   * Split edges longer than .04 diagonals of the bounds before all else, so that a panel of two
+   * triangles can become round: Off, Automatic (default; where a tenth of the area is of triangles
+   * with an edge above a tenth of the diagonal) or On. The output then has more points and cells
+   * than the input (RefinedPoint, OriginalCell), as with vtkSphericalStyleFilter.
+   */
+  vtkSetClampMacro(RefineLongEdges, int, NEVER, ALWAYS);
+  vtkGetMacro(RefineLongEdges, int);
+  void SetRefineLongEdgesToOff() { this->SetRefineLongEdges(NEVER); }
+  void SetRefineLongEdgesToAutomatic() { this->SetRefineLongEdges(WHERE_COARSE); }
+  void SetRefineLongEdgesToOn() { this->SetRefineLongEdges(ALWAYS); }
+  ///@}
+
+  ///@{
+  /**
    * Threads; 0 (default) takes VTK_SMP_MAX_THREADS or else all cores. The result has the same bits
    * for any number.
    */
@@ -454,6 +474,7 @@ private:
   double AxisGain[3] = { 1.0, 1.0, 1.0 };
   double BorderWidth = 0.2;
   int Transfer = BLEND;
+  int RefineLongEdges = WHERE_COARSE;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   int NumberOfThreads = 0;
   bool GenerateNormals = false;

@@ -38,7 +38,7 @@ Eigen::VectorXd Roundness(const StyleOptions& options, Eigen::Index n)
     : Eigen::VectorXd::Constant(n, options.lambda);
 }
 
-StyleOptions WithShares(StyleOptions options, const Eigen::VectorXd& shares)
+MethodOptions WithShares(MethodOptions options, const Eigen::VectorXd& shares)
 {
   if ((shares.array() < 1.0).any()) // or else the options as they are: the same bits
   {
@@ -62,16 +62,10 @@ void AddBeforeAfter(vtkFieldData* data, const char* name, int before, int after)
 
 namespace vtkFoldGuard
 {
-Result Solve(StyleSolver& solver, const StyleOptions& wanted, const TriangleMesh& rest,
+Result Solve(SphericalStyleMethod& solver, const MethodOptions& wanted, const TriangleMesh& rest,
   bool singlePrecision, const Finish& finish, const Callback& callback)
 {
-  // One solve leads to the next here: what the guard decides must not depend on earlier executions.
-  StyleOptions options = wanted;
-  if (options.initialGuess == InitialGuess::LastResult)
-  {
-    options.initialGuess = InitialGuess::Blend;
-  }
-  options.loop.timeBudget = 0.0;
+  const MethodOptions& options = wanted;
   const IntersectionSearch search = Search();
   const Stopwatch watch;
   Result result;
@@ -80,7 +74,7 @@ Result Solve(StyleSolver& solver, const StyleOptions& wanted, const TriangleMesh
   const Callback onward = [&](int, double change) { return callback(++iterations, change); };
   const ShareSolve solve = [&](const Eigen::VectorXd& shares)
   {
-    const StyleOptions shared = WithShares(options, shares);
+    const MethodOptions shared = WithShares(options, shares);
     result.Style = solver.Solve(shared, onward);
     result.Roundness = Roundness(shared, shares.size());
     // Closed forms have no iteration, and the search that comes takes longer than one.

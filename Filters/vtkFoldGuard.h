@@ -6,7 +6,7 @@
 #define vtkFoldGuard_h
 
 #include "FoldGuard.h"
-#include "StyleSolver.h"
+#include "SphericalStyleMethod.h"
 
 #include <functional>
 
@@ -31,9 +31,9 @@ using Finish = std::function<SphericalStyle::Points(const SphericalStyle::Points
 
 /// @param callback  iterations are counted on over all solves
 /// @throw std::invalid_argument in a library without CGAL
-Result Solve(SphericalStyle::StyleSolver& solver, const SphericalStyle::StyleOptions& wanted,
-  const SphericalStyle::TriangleMesh& rest, bool singlePrecision, const Finish& finish,
-  const SphericalStyle::Callback& callback);
+Result Solve(SphericalStyle::SphericalStyleMethod& solver,
+  const SphericalStyle::MethodOptions& wanted, const SphericalStyle::TriangleMesh& rest,
+  bool singlePrecision, const Finish& finish, const SphericalStyle::Callback& callback);
 
 /// What it did, as field data; nothing where it has not counted.
 void Fill(vtkTable* table, const Result& result);

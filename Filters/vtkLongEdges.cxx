@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLongEdges.h"
 
+#include "Advice.h"
+
 #include "Frame.h"
 
 #include "vtkAdaptiveSubdivisionFilter.h"
@@ -439,6 +441,12 @@ Refined Split(
   }
   AddMarks(refined.Surface, input->GetNumberOfPoints(), originalCell);
   return refined;
+}
+
+bool IsWanted(int refinement, double longEdgeShare)
+{
+  return refinement == ALWAYS ||
+    (refinement == WHERE_COARSE && longEdgeShare >= SphericalStyle::CoarseShare);
 }
 
 vtkSmartPointer<vtkSelection> Select(const std::vector<char>& selected, const Refined& refined)

@@ -62,6 +62,18 @@ struct NominalArrays
 Refined Split(vtkPolyData* input, const vtkSurfaceMesh& surface, double length,
   const NominalArrays& nominal = {});
 
+/// What the property RefineLongEdges of a filter means.
+enum Refinements
+{
+  NEVER = 0,
+  WHERE_COARSE = 1, ///< where the model has coarse panels: SphericalStyle::CoarseShare
+  ALWAYS = 2
+};
+
+/// Whether the edges of a model are to be split.
+/// @param refinement  a Refinements @param longEdgeShare  see SphericalStyle::LongEdgeShare
+bool IsWanted(int refinement, double longEdgeShare);
+
 /// The same selection for the refined surface: by indices, the selected points and the new ones
 /// whose origin is all selected.
 /// @param selected  one per point of the input

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSphericalStyleFilter.h"
 
+#include "Advice.h"
 #include "NonlinearFeature.h"
+#include "SphericalStyleMethod.h"
 #include "vtkFilterSupport.h"
 #include "vtkFoldGuard.h"
 #include "vtkLongEdges.h"
@@ -29,6 +31,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -58,6 +61,9 @@ enum InputArrays
 
 // More are a mistake, such as the array of another purpose; each costs one more field to smooth.
 constexpr std::size_t MaximumNumberOfCenters = 256;
+
+// A grid of this spacing is made for a detail size of so many of them [grid].
+constexpr double GridSpacingsPerSize = 1.5;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr vtkSurfaceMeshConversion::ArrayRule ArrayRules[] = {
@@ -187,12 +193,13 @@ Points GatherNormals(
 //------------------------------------------------------------------------------------------------
 struct vtkSphericalStyleFilter::Internals
 {
-  vtkSurfaceMesh Surface; // of the last input, as it came
-  vtkSurfaceMesh Refined; // with long edges split; empty without RefineLongEdges
-  SphericalStyle::StyleSolver Solver;
+  vtkSurfaceMesh Surface;      // of the last input, as it came
+  double LongEdgeShare = -1.0; // of that
+  vtkSurfaceMesh Refined;      // with long edges split; empty without RefineLongEdges
+  SphericalStyle::SphericalStyleMethod Solver;
   SphericalStyle::NonlinearFeature Nonlinear;
-  vtkFoldGuard::Result Guarded;         // of this execution, empty without the guard
-  SphericalStyle::StyleOptions Options; // of the last solve of the linear feature, as wanted
+  vtkFoldGuard::Result Guarded;          // of this execution, empty without the guard
+  SphericalStyle::MethodOptions Options; // of the last solve of the linear feature, as wanted
   vtkStyleReview Review;
   int Feature = LINEAR; // of this execution: the property may change meanwhile
 
@@ -214,7 +221,7 @@ struct vtkSphericalStyleFilter::Internals
   {
     return self->AvoidSelfIntersections && !self->ReproduceThesis;
   }
-  static SphericalStyle::StyleOptions MakeOptions(vtkSphericalStyleFilter* self,
+  static SphericalStyle::MethodOptions MakeOptions(vtkSphericalStyleFilter* self,
     const vtkSurfaceMesh& surface, const Inputs& inputs, const std::vector<char>& region);
   static SphericalStyle::NonlinearOptions MakeNonlinearOptions(vtkSphericalStyleFilter* self,
     const vtkSurfaceMesh& surface, const Inputs& inputs, const std::vector<char>& region);
@@ -254,8 +261,6 @@ void vtkSphericalStyleFilter::Internals::CheckProperties(const vtkSphericalStyle
   }
   Require(self->Tolerance > 0.0 && self->Tolerance < 1.0, "Tolerance", "above 0 and below 1",
     self->Tolerance);
-  Require(self->TimeBudget >= 0.0 && std::isfinite(self->TimeBudget), "TimeBudget", "0 or more",
-    self->TimeBudget);
   Require(self->MaximumEdgeLength >= 0.001 && self->MaximumEdgeLength <= 1.0, "MaximumEdgeLength",
     "in 0.001..1", self->MaximumEdgeLength);
 }
@@ -263,9 +268,15 @@ void vtkSphericalStyleFilter::Internals::CheckProperties(const vtkSphericalStyle
 const vtkSurfaceMesh& vtkSphericalStyleFilter::Internals::TakeSurface(
   vtkSphericalStyleFilter* self, Inputs& inputs)
 {
-  vtkSurfaceMeshConversion::Update(inputs.Model, self->WeldCoincidentPoints, this->Surface);
+  if (vtkSurfaceMeshConversion::Update(inputs.Model, self->WeldCoincidentPoints, this->Surface) ||
+    this->LongEdgeShare < 0.0)
+  {
+    this->LongEdgeShare = SphericalStyle::LongEdgeShare(this->Surface.Mesh);
+  }
   this->Refined = {};
-  if (!self->RefineLongEdges || self->ReproduceThesis)
+  const bool never =
+    self->ReproduceThesis || (self->RefineLongEdges == WHERE_COARSE && self->Feature == NONLINEAR);
+  if (never || !vtkLongEdges::IsWanted(self->RefineLongEdges, this->LongEdgeShare))
   {
     return this->Surface;
   }
@@ -312,27 +323,30 @@ SphericalStyle::LoopOptions vtkSphericalStyleFilter::Internals::MakeLoopOptions(
   return loop;
 }
 
-SphericalStyle::StyleOptions vtkSphericalStyleFilter::Internals::MakeOptions(
+SphericalStyle::MethodOptions vtkSphericalStyleFilter::Internals::MakeOptions(
   vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, const Inputs& inputs,
   const std::vector<char>& region)
 {
   using namespace SphericalStyle;
-  StyleOptions o;
+  MethodOptions o;
   o.lambda = self->Roundness;
   o.normalBlend = self->NormalBlend;
   o.centerMode = static_cast<SphericalStyle::CenterMode>(self->CenterMode);
   o.radiusMode = static_cast<SphericalStyle::RadiusMode>(self->RadiusMode);
   o.custom = { Eigen::Vector3d(self->Center), self->Radius };
   o.detailSize = self->DetailSize;
+  o.normalRadius = static_cast<SphericalStyle::NormalRadius>(self->NormalRadius);
+  o.size.keep = static_cast<SphericalStyle::KeepSize>(self->KeepSize);
+  o.size.upAxis = self->UpAxis;
+  o.size.keepOnGround = self->KeepOnGround && region.empty();
+  o.keepRotations = self->GenerateRotation;
   o.sphericalWeighting = static_cast<SphericalStyle::SphericalWeighting>(self->SphericalWeighting);
   o.concaveEdges = static_cast<SphericalStyle::ConcaveEdges>(self->ConcaveEdges);
   o.edgeWeighting = static_cast<SphericalStyle::EdgeWeighting>(self->EdgeWeighting);
   o.anchor = static_cast<SphericalStyle::Anchor>(self->Anchor);
   o.componentCoupling = static_cast<SphericalStyle::ComponentCoupling>(self->ComponentCoupling);
   o.initialGuess = static_cast<SphericalStyle::InitialGuess>(self->InitialGuess);
-  o.linearMethod = static_cast<SphericalStyle::LinearMethod>(self->LinearSolver);
   o.loop = MakeLoopOptions(self);
-  o.loop.timeBudget = self->TimeBudget;
   o.threads = ThreadsToUse(self->NumberOfThreads);
 
   const auto gather = [&](int index) { return Gather(self, index, surface, inputs.Model); };
@@ -467,6 +481,20 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
       std::to_string(surface.FirstInputPoint(report.pointsOnCenter.front())) +
       "; the mean of the neighbours' directions is taken");
   }
+  if (self->GenerateCellEnergy && report.closedForm)
+  {
+    warn("GenerateCellEnergy: the result is in closed form, no energy was minimised, and there is "
+         "no array CellEnergy; SphericalWeighting Uniform or InitialGuess Rest minimise one");
+  }
+  if (report.coarserGrid)
+  {
+    std::ostringstream text;
+    text << "DetailSize " << self->DetailSize
+         << " is too small for the area of this model: the base is "
+         << "as smooth as with DetailSize " << GridSpacingsPerSize * report.gridSpacing
+         << "; take that or more, or details smaller than it count as base";
+    warn(text.str());
+  }
   if (!report.hasMinimum)
   {
     warn("the system matrix is not positive definite: with full-edge weights the energy of this "
@@ -474,8 +502,7 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
          "HalfEdge" +
       std::string(self->ReproduceThesis ? " without ReproduceThesis" : ""));
   }
-  else if (surface.Mesh.F.rows() > 0 && !report.loop.converged && !report.loop.aborted &&
-    !report.loop.outOfTime)
+  else if (surface.Mesh.F.rows() > 0 && !report.loop.converged && !report.loop.aborted)
   {
     warn(vtkStyleHistory::NotConverged(report));
   }
@@ -589,17 +616,21 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
   }
   if (self->GenerateCellEnergy)
   {
-    AddPointArray(output, surface, "CellEnergy", VTK_DOUBLE,
-      !solved    ? Eigen::VectorXd()
-        : linear ? this->Solver.GetCellEnergies()
-                 : this->Nonlinear.GetCellEnergies());
+    const Eigen::VectorXd energies = !solved ? Eigen::VectorXd()
+      : linear                               ? this->Solver.GetCellEnergies()
+                                             : this->Nonlinear.GetCellEnergies();
+    if (!solved || energies.size() > 0) // none where nothing is minimised, see Warn
+    {
+      AddPointArray(output, surface, "CellEnergy", VTK_DOUBLE, energies);
+    }
   }
   if (self->GenerateAuxiliaryScale && !linear)
   {
     AddPointArray(output, surface, "AuxiliaryScale", VTK_DOUBLE,
       solved ? this->Nonlinear.GetScales() : Eigen::VectorXd());
   }
-  if (self->GenerateRotation)
+  // An observer may have asked for it since: then there are none of this execution.
+  if (self->GenerateRotation && (!linear || !solved || this->Options.keepRotations))
   {
     const SphericalStyle::Matrices& R =
       linear ? this->Solver.GetRotations() : this->Nonlinear.GetRotations();
@@ -758,6 +789,10 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Feature: " << this->Feature << "\n";
   os << indent << "CenterConstraint: " << this->CenterConstraint << "\n";
   os << indent << "NormalBlend: " << this->NormalBlend << "\n";
+  os << indent << "NormalRadius: " << this->NormalRadius << "\n";
+  os << indent << "KeepSize: " << this->KeepSize << "\n";
+  os << indent << "KeepOnGround: " << OnOff(this->KeepOnGround) << "\n";
+  os << indent << "UpAxis: " << this->UpAxis << "\n";
   os << indent << "CenterMode: " << this->CenterMode << "\n";
   os << indent << "Center: " << Triple(this->Center) << "\n";
   os << indent << "RadiusMode: " << this->RadiusMode << "\n";
@@ -778,9 +813,7 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ComponentCoupling: " << this->ComponentCoupling << "\n";
   os << indent << "WeldCoincidentPoints: " << OnOff(this->WeldCoincidentPoints) << "\n";
   os << indent << "InitialGuess: " << this->InitialGuess << "\n";
-  os << indent << "LinearSolver: " << this->LinearSolver << "\n";
-  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
-  os << indent << "RefineLongEdges: " << OnOff(this->RefineLongEdges) << "\n";
+  os << indent << "RefineLongEdges: " << this->RefineLongEdges << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "ReproduceThesis: " << OnOff(this->ReproduceThesis) << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";

@@ -4,8 +4,10 @@
  * @class   vtkSphericalStyleFilter
  * @brief   round a surface the way toys and cartoon characters are round, details kept
  *
- * The output is the input with moved points: the shape leans toward a sphere as far as Roundness
- * says, and every small piece of the surface stays as rigid as that allows.
+ * The output is the input with moved points. A smooth base of the model is blended with its target,
+ * one ball or limbs that are round by their own thickness; details ride on the base and turn with
+ * it; the result has the size of the model. All of it is in closed form: nothing iterates. The
+ * energy of the thesis is minimised where its own ways are asked for (see SphericalWeighting).
  *
  * Input port 0: vtkPolyData. Triangles, quads, polygons and strips take part in the solve
  * (triangulated inside, cells unchanged on output); lines, vertices and points of no face are
@@ -19,8 +21,8 @@
  * bits.
  *
  * Input arrays to process, all optional, all of point data:
- *  - 0: normals, 3 components, used where NormalBlend > 0 (default: the active normals; computed
- *       when there are none, and with DetailSize > 0, whose base has normals of its own);
+ *  - 0: normals, 3 components, used where NormalBlend > 0 with DetailSize 0 (default: the active
+ *       normals, or computed ones; with DetailSize > 0 the base has normals of its own);
  *  - 1: roundness factor, 1 component, >= 0: the Roundness of a point is Roundness times it;
  *  - 2: normal blend, 1 component, 0..1: replaces NormalBlend point by point;
  *  - 3: target directions, 3 components, replace t (length 1 means radius r);
@@ -37,7 +39,7 @@
  *  - Normals: recomputed if the input had point normals or GenerateNormals is on;
  *  - RegionWeight (1): with a region, 0 outside, 1 inside, between them along the border;
  *  - RemainingRoundness (1): with AvoidSelfIntersections, the Roundness that each point kept;
- *  - CellEnergy (1), Rotation (9, row by row): on demand;
+ *  - Rotation (9, row by row): on demand; CellEnergy (1): on demand where an energy is minimised;
  *  - AuxiliaryScale (1): s, 1 / length, on demand with Feature Nonlinear, which has no
  *    TargetDirection;
  *  - RefinedPoint (1): with RefineLongEdges, 1 for new points, which come after those of the input.
@@ -49,27 +51,39 @@
  * of the nearest point of the input, and it is in the region, or selected, if all points of the
  * input that it lies between are. Texture seams stay shut and keep the coordinates of both sides.
  *
- * Output port 1: vtkTable, one row for the start and one per iteration: Iteration, Total, Rigid,
- * Spherical (energies, length^2), LocalChange, GlobalChange, Residual (Eq. 3.46), Gap (estimated,
- * see Tolerance; NaN while unknown). Its field data: StageSeconds (Base, Weights, Analyze, Factor,
- * Iterate), LinearSolver, Spheres (4: center and radius), one tuple per center id, ascending,
- * NumberOfStitches and NumberOfWallStitches (see ComponentCoupling) and Advice (GetAdvice). With
- * AvoidSelfIntersections the table is that of the last solve, and its field data has TurnedOver and
- * NewIntersectingPairs (2: before, after), GuardSolves and GuardSeconds.
+ * Output port 1: vtkTable, one row for the start and one per iteration, none in closed form:
+ * Iteration, Total, Rigid, Spherical (energies, length^2), LocalChange, GlobalChange, Residual
+ * (Eq. 3.46), Gap (estimated, see Tolerance; NaN while unknown). Its field data: StageSeconds
+ * (Base, Weights, Analyze, Factor, Iterate), LinearSolver, Spheres (4: center and radius), one
+ * tuple per center id, ascending, NumberOfStitches and NumberOfWallStitches (see ComponentCoupling)
+ * and Advice (GetAdvice). With AvoidSelfIntersections the table is that of the last solve, and its
+ * field data has TurnedOver and NewIntersectingPairs (2: before, after), GuardSolves and
+ * GuardSeconds.
  *
  * Output port 2: vtkPolyData, the target sphere that was used, as circles of longitude and latitude
  * to look at; one sphere per center id. Empty where there was nothing to solve.
  *
- * Energy [energy], minimised over points p' and rotations R by local and global steps:
+ * Method, with B the base [base], d the directions from the center O, r the radius, n the normals
+ * of B, rho half of the thickness of a limb [limb], a NormalBlend, mu = sqrt(3) Roundness, R
+ * rotations:
+ *
+ *     T = O + (1 - a) r d + a rho n,   B' = (B + mu T) / (1 + mu)       [toy]
+ *     P' = B' + R (P - B)                                               [carry]
+ *
+ * then scaled to its old size [size]. With several centers k their targets are blended by shares of
+ * each point.
+ *
+ * Energy [energy], minimised over points p' and rotations R by local and global steps with
+ * SphericalWeighting Uniform, EdgeWeighting FullEdge, ConcaveEdges Flip or Zero, InitialGuess Rest,
+ * StopRule FixedIterations and ReproduceThesis:
  *
  *     E = sum over triangles f, half-edges h = uv of f, corners y of f of
  *         c_h |e'_uv - R_y e_uv|^2 + l_h |r R_y (t_u - t_v) - e'_uv|^2
  *
- * c_h half cotangents, l_h = Roundness / 2 (Uniform) or sqrt(3) Roundness c_h (Cotangent),
- * t = (1 - NormalBlend) d + NormalBlend n, d the unit vector from the centre. With DetailSize > 0
- * only the smooth base of the model goes to the sphere and its details just turn [detail]. With
- * several centers k the target of an edge is sum_k omega_k(uv) r_k (t^k_u - t^k_v), omega_k(uv) the
- * mean of the shares at its ends, so that nothing jumps between them.
+ * c_h half cotangents, l_h = Roundness / 2 (Uniform) or sqrt(3) Roundness c_h (Cotangent), t = (T -
+ * O) / r. It knows no details: with DetailSize > 0 they are carried on the base of what it leads
+ * to. With several centers k the target of an edge is sum_k omega_k(uv) r_k (t^k_u - t^k_v),
+ * omega_k(uv) the mean of the shares at its ends, so that nothing jumps between them.
  *
  * Feature Nonlinear minimises the energy of chapter 3 instead, for study [nonlinear]:
  *
@@ -86,18 +100,19 @@
  * 29(4), 2010, doi:10.1145/1778765.1778775. The bracketed labels are those of
  * Filters/Documentation/SphericalStyle.md and NonlinearFeature.md.
  *
- * Cost: one sparse factorisation (about n log n in practice), then per iteration one 3 x 3 rotation
- * per point and one triangular solve. The factorisation is kept between executions: changing
- * Center, NormalBlend, Radius or arrays 0, 2, 3 does not factor again; changing Roundness
- * refactors numerically with uniform weights and not at all with cotangent ones. Feature Nonlinear
- * factors numerically in every iteration.
+ * Cost: a pass over the triangles, sums over the samples of a grid, and a factor of one to some ten
+ * thousand unknowns, whatever the number of points; it is kept between executions, so that a new
+ * Roundness, Center or NormalBlend takes a seventh of the first result (.3 s at 949 000 points on
+ * one thread). The energy costs a sparse factorisation of the mesh (about n log n), then per
+ * iteration one rotation per point and one triangular solve. Feature Nonlinear factors numerically
+ * in every iteration.
  *
- * A warning names the first point of parts that keep less than a tenth of their thickness; about
- * 2000 points are looked at.
+ * A warning names the first point of parts that keep less than a tenth of their thickness without
+ * DetailSize; about 2000 points are looked at.
  *
  * @warning Large Roundness without DetailSize scales details down with everything else: at 5 a face
- * is gone. With NormalBlend > 0 the surface may
- * fold at concave places (thesis 4.5.3).
+ * is gone. With NormalRadius WholeModel and NormalBlend > 0 the surface may fold at concave places
+ * (thesis 4.5.3).
  *
  * @sa vtkPolyDataNormals vtkCurvatures vtkIntersectionPolyDataFilter
  */
@@ -129,6 +144,30 @@ public:
   {
     CORRECTED = 0,
     AS_WRITTEN = 1
+  };
+  enum NormalRadii
+  {
+    OWN_THICKNESS = 0,
+    WHOLE_MODEL_RADIUS = 1
+  };
+  enum KeptSizes
+  {
+    NO_SIZE = 0,
+    AREA = 1,
+    VOLUME = 2,
+    EXTENT = 3
+  };
+  enum UpAxes
+  {
+    X_AXIS = 0,
+    Y_AXIS = 1,
+    Z_AXIS = 2
+  };
+  enum Refinements
+  {
+    NEVER = 0,
+    WHERE_COARSE = 1,
+    ALWAYS = 2
   };
   enum CenterModes
   {
@@ -183,15 +222,7 @@ public:
   enum InitialGuesses
   {
     BLEND = 0,
-    REST = 1,
-    LAST_RESULT = 2
-  };
-  enum LinearSolvers
-  {
-    AUTOMATIC = 0,
-    FACTOR = 1,
-    SINGLE_PRECISION_FACTOR = 2,
-    CONJUGATE_GRADIENTS = 3
+    REST = 1
   };
 
   /// Centers of your own for the center ids. @{
@@ -207,7 +238,7 @@ public:
   ///@{
   /**
    * Weight lambda of the spherical term. 0 leaves the model as it is, larger is rounder, 5 is very
-   * large. No unit. Range 0 and up; a negative or non-finite value is an error. Default 0.5.
+   * large. No unit. Range 0 and up; a negative or non-finite value is an error. Default 1.
    */
   vtkSetMacro(Roundness, double);
   vtkGetMacro(Roundness, double);
@@ -240,12 +271,60 @@ public:
 
   ///@{
   /**
-   * Blend a between the direction from the centre (0, globally rounder, keeps shapes apart) and the
-   * normal of the surface (1, every part rounder in itself, may fold at concave places). No unit.
-   * Range 0..1. Default 0.
+   * Blend a between the direction from the centre (0, one ball) and the normal of the base (1,
+   * every limb round by itself, see NormalRadius). No unit. Range 0..1. Default 0.6.
    */
   vtkSetClampMacro(NormalBlend, double, 0.0, 1.0);
   vtkGetMacro(NormalBlend, double);
+  ///@}
+
+  ///@{
+  /**
+   * How thick NormalBlend makes a limb [limb]: OwnThickness (default; as it is, so that limbs
+   * become shorter and keep their thickness) or WholeModel (thesis; every limb wants to be a ball
+   * as large as the model).
+   */
+  vtkSetClampMacro(NormalRadius, int, OWN_THICKNESS, WHOLE_MODEL_RADIUS);
+  vtkGetMacro(NormalRadius, int);
+  void SetNormalRadiusToOwnThickness() { this->SetNormalRadius(OWN_THICKNESS); }
+  void SetNormalRadiusToWholeModel() { this->SetNormalRadius(WHOLE_MODEL_RADIUS); }
+  ///@}
+
+  ///@{
+  /**
+   * What of the model is as large afterwards as before, by scaling about the mean of its points,
+   * each with a third of the rest area of its triangles [size]: Area (default), Volume (an error
+   * where none is enclosed), Extent (along UpAxis) or Off. With a region it is the region that is
+   * measured and scaled, before its border fades.
+   */
+  vtkSetClampMacro(KeepSize, int, NO_SIZE, EXTENT);
+  vtkGetMacro(KeepSize, int);
+  void SetKeepSizeToOff() { this->SetKeepSize(NO_SIZE); }
+  void SetKeepSizeToArea() { this->SetKeepSize(AREA); }
+  void SetKeepSizeToVolume() { this->SetKeepSize(VOLUME); }
+  void SetKeepSizeToExtent() { this->SetKeepSize(EXTENT); }
+  ///@}
+
+  ///@{
+  /**
+   * Move the result along UpAxis so that its lowest point lies on the level of the model's lowest
+   * point. Does nothing where there is a region: the rest of the model stays on the ground anyway.
+   * Default off.
+   */
+  vtkSetMacro(KeepOnGround, bool);
+  vtkGetMacro(KeepOnGround, bool);
+  vtkBooleanMacro(KeepOnGround, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The axis that points up, for KeepOnGround and KeepSize Extent: X, Y (default) or Z.
+   */
+  vtkSetClampMacro(UpAxis, int, X_AXIS, Z_AXIS);
+  vtkGetMacro(UpAxis, int);
+  void SetUpAxisToX() { this->SetUpAxis(X_AXIS); }
+  void SetUpAxisToY() { this->SetUpAxis(Y_AXIS); }
+  void SetUpAxisToZ() { this->SetUpAxis(Z_AXIS); }
   ///@}
 
   ///@{
@@ -293,9 +372,11 @@ public:
   ///@{
   /**
    * Size of the details that keep their shape and only turn, as a fraction of the diagonal of the
-   * model's bounds [detail]. 0 (default) is the thesis: details flatten as Roundness grows. .03
-   * keeps a face on a ball. Larger values keep larger parts. Walls thinner than twice the size keep
-   * their thickness (ComponentCoupling). Range 0..0.2.
+   * model's bounds [base]: they ride on a base that is smooth at this size. 0: no details, all of
+   * the model is blended (thesis). .03 keeps a face on a ball, .06 (default) limbs of characters.
+   * Walls thinner than twice the size keep their thickness [wall]. Where the model has so much area
+   * that the grid would have more than 60000 functions, the base is smoother than asked for, and a
+   * warning says so. Range 0..0.2.
    */
   vtkSetClampMacro(DetailSize, double, 0.0, 0.2);
   vtkGetMacro(DetailSize, double);
@@ -334,8 +415,8 @@ public:
   ///@{
   /**
    * Weight of an edge in the spherical term: Cotangent (default), with which the result does not
-   * depend on the triangulation, DetailSize 0 has a closed form, and a new Roundness needs no new
-   * factorisation; or Uniform (thesis), with which finely meshed parts become rounder.
+   * depend on the triangulation and has a closed form; or Uniform (thesis), with which finely
+   * meshed parts become rounder.
    */
   vtkSetClampMacro(SphericalWeighting, int, UNIFORM, COTANGENT);
   vtkGetMacro(SphericalWeighting, int);
@@ -433,9 +514,9 @@ public:
 
   ///@{
   /**
-   * What stays in place, per connected component: Centroid (default; the mean of its points, each
-   * with a third of the rest area of its triangles) or LastPoint (thesis: the last point of the
-   * component).
+   * What stays in place, of the whole model, or with the energy per connected component: Centroid
+   * (default; the mean of its points, each with a third of the rest area of its triangles) or
+   * LastPoint (thesis: the last point of the component).
    */
   vtkSetClampMacro(Anchor, int, CENTROID, LAST_POINT);
   vtkGetMacro(Anchor, int);
@@ -448,9 +529,8 @@ public:
    * What holds parts together that share no edge (eyeballs in a head, panels of a car): Stitched
    * (default; near points of different parts are joined by edges, so that parts travel and turn
    * with their surroundings and the whole model has one anchor) or Independent (thesis; nothing:
-   * each part has an anchor of its own and goes its own way). With DetailSize above 0, Stitched
-   * also joins the two sides of walls that are thinner than twice that, so that a cup or a plate
-   * keeps its thickness [wall]; otherwise models of one part come out the same.
+   * each part has an anchor of its own and goes its own way). Of the energy only: in closed form
+   * what lies within a cell of the grid moves as one anyway.
    */
   vtkSetClampMacro(ComponentCoupling, int, STITCHED, INDEPENDENT);
   vtkGetMacro(ComponentCoupling, int);
@@ -470,64 +550,27 @@ public:
 
   ///@{
   /**
-   * Where the iteration starts: Blend (default; every rotation the identity, one global step, not
-   * counted), Rest (thesis; the unmoved points) or LastResult, for dragging: the rotations that the
-   * last execution for the same model ended with, where they are nearer to the minimum than Blend.
-   * A center moved by up to 3 % of the radius then needs 2 to 5 iterations in place of 20 or 30,
-   * one moved by 10 % about as many as from Blend. The result is as near to the minimum, but its
-   * last digits, within Tolerance, depend on what was executed before; with Blend they depend on
-   * input and properties alone. LastResult is Blend for the first execution, with StopRule
-   * FixedIterations, with AvoidSelfIntersections, and where nothing is iterated. The panel of
-   * ParaView starts with LastResult.
+   * Where an iteration starts: Blend (default; every rotation the identity, one global step, not
+   * counted) or Rest (thesis; the unmoved points).
    */
-  vtkSetClampMacro(InitialGuess, int, BLEND, LAST_RESULT);
+  vtkSetClampMacro(InitialGuess, int, BLEND, REST);
   vtkGetMacro(InitialGuess, int);
   void SetInitialGuessToBlend() { this->SetInitialGuess(BLEND); }
   void SetInitialGuessToRest() { this->SetInitialGuess(REST); }
-  void SetInitialGuessToLastResult() { this->SetInitialGuess(LAST_RESULT); }
   ///@}
 
   ///@{
   /**
-   * What solves the linear system of the global step, default Automatic. Factor is a
-   * Cholesky factor: exact up to rounding.
-   * SinglePrecisionFactor keeps it in single precision and corrects with residuals in double
-   * precision: half of the memory, faster, the same result to about 1e-9 of the diagonal; it is
-   * Factor where the matrix is too badly conditioned. ConjugateGradients needs no factor and a
-   * fifth of the memory, and takes about ten times as long; shapes agree within Tolerance.
-   * Automatic takes Factor below 20 000 points, SinglePrecisionFactor from there on, and
-   * ConjugateGradients where a factor would take more than half of the machine's memory. The table
-   * of the energy says what was used (LinearSolver). Feature Linear only.
-   */
-  vtkSetClampMacro(LinearSolver, int, AUTOMATIC, CONJUGATE_GRADIENTS);
-  vtkGetMacro(LinearSolver, int);
-  void SetLinearSolverToAutomatic() { this->SetLinearSolver(AUTOMATIC); }
-  void SetLinearSolverToFactor() { this->SetLinearSolver(FACTOR); }
-  void SetLinearSolverToSinglePrecisionFactor() { this->SetLinearSolver(SINGLE_PRECISION_FACTOR); }
-  void SetLinearSolverToConjugateGradients() { this->SetLinearSolver(CONJUGATE_GRADIENTS); }
-  ///@}
-
-  ///@{
-  /**
-   * Seconds after which no further iteration is begun, 0 or more; 0 (default) is no limit. The best
-   * shape so far comes out, after one iteration at least, and GetConverged is false; with
-   * InitialGuess LastResult the next execution goes on from there (call Modified() to ask for it).
-   * Preparing the first solve of a model is not interrupted. Feature Linear without
-   * AvoidSelfIntersections only.
-   */
-  vtkSetMacro(TimeBudget, double);
-  vtkGetMacro(TimeBudget, double);
-  ///@}
-
-  ///@{
-  /**
-   * Split edges longer than MaximumEdgeLength before the solve, so that a panel of two triangles
+   * Split edges longer than MaximumEdgeLength before all else, so that a panel of two triangles
    * can become round. The output then has more points and cells than the input (RefinedPoint,
-   * OriginalCell). Default off.
+   * OriginalCell). Automatic (default) splits where a tenth of the area is of triangles with an
+   * edge above a tenth of the diagonal of the bounds; with Feature Nonlinear it does not.
    */
-  vtkSetMacro(RefineLongEdges, bool);
-  vtkGetMacro(RefineLongEdges, bool);
-  vtkBooleanMacro(RefineLongEdges, bool);
+  vtkSetClampMacro(RefineLongEdges, int, NEVER, ALWAYS);
+  vtkGetMacro(RefineLongEdges, int);
+  void SetRefineLongEdgesToOff() { this->SetRefineLongEdges(NEVER); }
+  void SetRefineLongEdgesToAutomatic() { this->SetRefineLongEdges(WHERE_COARSE); }
+  void SetRefineLongEdgesToOn() { this->SetRefineLongEdges(ALWAYS); }
   ///@}
 
   ///@{
@@ -543,9 +586,9 @@ public:
   ///@{
   /**
    * Run the method of the thesis to the letter. On overrides FullEdge, Uniform, Thesis stop, Rest,
-   * LastPoint, Independent, no acceleration, PointMean, DetailSize 0 and no AvoidSelfIntersections;
-   * with Feature Nonlinear AsWritten, Thesis stop, no acceleration and PointMean; with both no
-   * RefineLongEdges. Default off.
+   * LastPoint, Independent, no acceleration, PointMean, DetailSize 0, NormalRadius WholeModel,
+   * KeepSize Off, no KeepOnGround and no AvoidSelfIntersections; with Feature Nonlinear AsWritten,
+   * Thesis stop, no acceleration and PointMean; with both no RefineLongEdges. Default off.
    */
   vtkSetMacro(ReproduceThesis, bool);
   vtkGetMacro(ReproduceThesis, bool);
@@ -622,10 +665,10 @@ public:
   ///@}
 
   /**
-   * Frees what is kept to make the next execution quick: the factor, the base and the last result
-   * of the solver, and the model as it solves it; about 0.7 kB a point without details, 2.5 kB with
-   * them. Outputs stay. The next execution takes as long as the first, and does not start from the
-   * last result. Called while an execution runs, it frees all this when that ends.
+   * Frees what is kept to make the next execution quick: grid, base and thickness, the factor of
+   * the energy where there was one, and the model as it is solved; about 0.4 kB a point in closed
+   * form. Outputs stay. The next execution takes as long as the first. Called while an execution
+   * runs, it frees all this when that ends.
    */
   void ReleaseCache();
 
@@ -663,15 +706,19 @@ private:
 
   static constexpr int NotCounted = -1;
 
-  double Roundness = 0.5;
+  double Roundness = 1.0;
   int Feature = LINEAR;
   int CenterConstraint = CORRECTED;
-  double NormalBlend = 0.0;
+  double NormalBlend = 0.6;
+  int NormalRadius = OWN_THICKNESS;
+  int KeepSize = AREA;
+  bool KeepOnGround = false;
+  int UpAxis = Y_AXIS;
   int CenterMode = AREA_CENTROID;
   double Center[3] = { 0.0, 0.0, 0.0 };
   int RadiusMode = EQUAL_AREA;
   double Radius = 1.0;
-  double DetailSize = 0.0;
+  double DetailSize = 0.06;
   int SphereOf = REGION;
   double BorderWidth = 0.1;
   double CenterBlendWidth = 0.02;
@@ -687,9 +734,7 @@ private:
   int ComponentCoupling = STITCHED;
   bool WeldCoincidentPoints = true;
   int InitialGuess = BLEND;
-  int LinearSolver = AUTOMATIC;
-  double TimeBudget = 0.0;
-  bool RefineLongEdges = false;
+  int RefineLongEdges = WHERE_COARSE;
   double MaximumEdgeLength = 0.04;
   bool ReproduceThesis = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;

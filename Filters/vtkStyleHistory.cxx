@@ -59,7 +59,7 @@ void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char
   }
   table->GetFieldData()->AddArray(spheres);
   vtkFilterSupport::AddCount(table->GetFieldData(), "NumberOfStitches", report.stitches);
-  vtkFilterSupport::AddCount(table->GetFieldData(), "NumberOfWallStitches", report.wallStitches);
+  vtkFilterSupport::AddCount(table->GetFieldData(), "NumberOfWallStitches", report.walls);
   if (report.edgeFlips >= 0)
   {
     vtkFilterSupport::AddCount(table->GetFieldData(), "EdgeFlips", report.edgeFlips);

@@ -33,8 +33,12 @@ std::vector<int> EveryFew(int n)
 
 /// With directions from one center the closed form [blend] brings no two points nearer than to
 /// 1 / (1 + sqrt(3) lambda) of their distance, but for the size of a triangle.
-bool CannotThin(const StyleOptions& o, const StyleReport& report)
+bool CannotThin(const MethodOptions& o, const StyleReport& report)
 {
+  if (report.closedForm && o.detailSize > 0.0)
+  {
+    return true; // walls are held together [wall]
+  }
   return report.closedForm && o.normalBlend == 0.0 && o.normalBlends.size() == 0 &&
     o.targets.rows() == 0 && o.roundnessFactors.size() == 0 &&
     1.0 / (1.0 + std::sqrt(3.0) * o.lambda) >= ThinnedBelow;
@@ -79,7 +83,7 @@ std::string vtkStyleReview::LookAtThickness(
 }
 
 vtkStyleReview::Remarks vtkStyleReview::Look(const vtkSurfaceMesh& surface, int generation,
-  const Points& Q, const StyleOptions& o, const StyleReport& report)
+  const Points& Q, const MethodOptions& o, const StyleReport& report)
 {
   this->SetMesh(surface.Mesh, report.components, generation);
   Remarks remarks;

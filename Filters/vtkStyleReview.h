@@ -24,10 +24,10 @@ public:
     std::string Advice;  ///< see SphericalStyle::Advise
   };
 
-  /// @param generation  another one for another mesh: StyleSolver::GetMeshGeneration
+  /// @param generation  another one for another mesh: SphericalStyleMethod::GetMeshGeneration
   /// @param Q  points of the result @param o, report  those of the solve that led there
   Remarks Look(const vtkSurfaceMesh& surface, int generation, const SphericalStyle::Points& Q,
-    const SphericalStyle::StyleOptions& o, const SphericalStyle::StyleReport& report);
+    const SphericalStyle::MethodOptions& o, const SphericalStyle::StyleReport& report);
 
 private:
   void SetMesh(const SphericalStyle::TriangleMesh& mesh, int components, int generation);

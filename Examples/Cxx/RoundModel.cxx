@@ -39,9 +39,9 @@ namespace
 constexpr const char* Usage =
   "usage: RoundModel MODEL [options]\n"
   "  MODEL                     ply, stl, obj, vtk or vtp\n"
-  "  --roundness NUMBER        0 and up: 0 is the model, 5 nearly a ball (default 0.5)\n"
-  "  --detail-size NUMBER      0..0.2: details up to that part of the diagonal stay (default 0)\n"
-  "  --normal-blend NUMBER     0..1: round the whole (0) or every part in itself (default 0)\n"
+  "  --roundness NUMBER        0 and up: 0 is the model, 5 nearly a ball (default 1)\n"
+  "  --detail-size NUMBER      0..0.2: details up to that part of the diagonal stay (default .06)\n"
+  "  --normal-blend NUMBER     0..1: round the whole (0) or every part in itself (default .6)\n"
   "  --output FILE.vtp         write the result\n"
   "  --off-screen PICTURE.png  write a picture instead of opening a window";
 
@@ -49,8 +49,8 @@ using Options = std::map<std::string, std::string>;
 
 Options Parse(int argc, char* argv[])
 {
-  Options options = { { "--roundness", "0.5" }, { "--detail-size", "0" }, { "--normal-blend", "0" },
-    { "--output", "" }, { "--off-screen", "" }, { "MODEL", "" } };
+  Options options = { { "--roundness", "1" }, { "--detail-size", "0.06" },
+    { "--normal-blend", "0.6" }, { "--output", "" }, { "--off-screen", "" }, { "MODEL", "" } };
   for (int i = 1; i < argc; ++i)
   {
     const bool named = std::string(argv[i]).rfind("--", 0) == 0;
@@ -182,8 +182,9 @@ try
   {
     throw std::runtime_error("the filter failed and has said why");
   }
-  std::cout << style->GetNumberOfIterations() << " iterations, energy " << style->GetFinalEnergy()
-            << (style->GetConverged() ? "" : ", not converged") << std::endl;
+  const double* center = style->GetEffectiveCenter();
+  std::cout << "target sphere at " << center[0] << " " << center[1] << " " << center[2]
+            << ", radius " << style->GetEffectiveRadius() << std::endl;
   if (!options.at("--output").empty())
   {
     WriteWith<vtkXMLPolyDataWriter>(options.at("--output"), style->GetOutputPort());

@@ -20,7 +20,7 @@ enum ProxyArrays
   RegionArray = 3
 };
 
-/// Small proxies, so that tests are quick.
+/// Small proxies, so that tests are quick, and the points of the input and no more.
 class WatchedProxyFilter : public Watched<vtkConvexProxyDeformFilter>
 {
 public:
@@ -28,6 +28,7 @@ public:
   {
     this->Get()->SetInputData(input);
     this->Get()->SetNumberOfProxyPoints(300);
+    this->Get()->SetRefineLongEdgesToOff();
   }
 };
 

@@ -53,26 +53,46 @@ Subject ObserverOf(
 inline std::vector<Subject> Subjects()
 {
   using Main = vtkSphericalStyleFilter;
-  std::vector<Subject> all = { SubjectOf<Main>("vtkSphericalStyleFilter"),
-    SubjectOf<Main>(
-      "vtkSphericalStyleFilter with normals", [](Main* f) { f->SetNormalBlend(1.0); }),
-    SubjectOf<Main>("vtkSphericalStyleFilter with details",
+  std::vector<Subject> all = { SubjectOf<Main>("vtkSphericalStyleFilter", SetUpDefaults),
+    ObserverOf<Main>("vtkSphericalStyleFilter with long edges split where it is coarse",
+      [](Main* f) { f->SetMaximumEdgeLength(0.1); }), // it has more points then
+    SubjectOf<Main>("vtkSphericalStyleFilter without details", SetUpEnergy),
+    SubjectOf<Main>("vtkSphericalStyleFilter with normals",
       [](Main* f)
       {
+        SetUpDefaults(f);
+        f->SetNormalBlend(1.0);
+        f->SetDetailSize(0.0);
+      }),
+    SubjectOf<Main>("vtkSphericalStyleFilter with fine details, on the ground",
+      [](Main* f)
+      {
+        SetUpDefaults(f);
         f->SetDetailSize(0.03);
         f->SetRoundness(5.0);
+        f->SetKeepSizeToExtent();
+        f->KeepOnGroundOn();
       }),
     SubjectOf<Main>("vtkSphericalStyleFilter with uniform weights",
       [](Main* f)
       {
-        f->SetSphericalWeightingToUniform();
+        SetUpUniform(f);
         f->SetMaximumNumberOfIterations(20);
         f->SetRoundness(50.0);
+      }),
+    SubjectOf<Main>("vtkSphericalStyleFilter with uniform weights and details",
+      [](Main* f)
+      {
+        SetUpDefaults(f);
+        f->SetSphericalWeightingToUniform();
+        f->SetMaximumNumberOfIterations(5);
       }),
     SubjectOf<Main>("vtkSphericalStyleFilter with Delaunay weights",
       [](Main* f)
       {
+        SetUpEnergy(f);
         f->SetEdgeWeightingToIntrinsicDelaunay();
+        f->SetInitialGuessToRest(); // or the weights do not matter
         f->SetDetailSize(0.03);
       }),
     SubjectOf<Main>("vtkSphericalStyleFilter, nonlinear",
@@ -82,7 +102,11 @@ inline std::vector<Subject> Subjects()
         f->SetMaximumNumberOfIterations(5);
       }),
     ObserverOf<Main>("vtkSphericalStyleFilter with long edges split",
-      [](Main* f) { f->RefineLongEdgesOn(); }), // it has more points then
+      [](Main* f)
+      {
+        SetUpEnergy(f);
+        f->SetRefineLongEdgesToOn();
+      }),
     SubjectOf<vtkCubicStyleFilter>("vtkCubicStyleFilter"),
     SubjectOf<vtkNormalAnalogyFilter>("vtkNormalAnalogyFilter"),
     SubjectOf<vtkSphereProjectionFilter>("vtkSphereProjectionFilter"),
@@ -94,10 +118,13 @@ inline std::vector<Subject> Subjects()
   all.push_back(SubjectOf<Main>("vtkSphericalStyleFilter without folds",
     [](Main* f)
     {
+      SetUpDefaults(f);
       f->AvoidSelfIntersectionsOn();
       f->SetNormalBlend(1.0);
+      f->SetRoundness(5.0);
     }));
-  all.push_back(SubjectOf<vtkConvexProxyDeformFilter>("vtkConvexProxyDeformFilter"));
+  all.push_back(SubjectOf<vtkConvexProxyDeformFilter>("vtkConvexProxyDeformFilter",
+    [](vtkConvexProxyDeformFilter* f) { f->SetRefineLongEdgesToOff(); }));
 #endif
   return all;
 }

@@ -147,6 +147,72 @@ private:
 
 using WatchedFilter = Watched<vtkSphericalStyleFilter>;
 
+/// For tests of the energy and of the plain blend: nothing but the model and one sphere. With
+/// Uniform weights, FullEdge, InitialGuess Rest or FixedIterations the energy is minimised, with
+/// none of them the result is the closed form.
+inline void SetUpEnergy(vtkSphericalStyleFilter* filter)
+{
+  filter->SetRoundness(0.5);
+  filter->SetNormalBlend(0.0);
+  filter->SetNormalRadiusToWholeModel();
+  filter->SetDetailSize(0.0);
+  filter->SetKeepSizeToOff();
+  filter->SetRefineLongEdgesToOff();
+}
+
+/// The same, with an energy that is minimised.
+inline void SetUpUniform(vtkSphericalStyleFilter* filter)
+{
+  SetUpEnergy(filter);
+  filter->SetSphericalWeightingToUniform();
+}
+
+/// The defaults, on the points of the input and on no more.
+inline void SetUpDefaults(vtkSphericalStyleFilter* filter)
+{
+  filter->SetRefineLongEdgesToOff();
+}
+
+/// A WatchedFilter that begins with SetUp.
+template <void (*SetUp)(vtkSphericalStyleFilter*)>
+struct WatchedAs : WatchedFilter
+{
+  explicit WatchedAs(vtkPolyData* input = nullptr)
+  {
+    if (input)
+    {
+      (*this)->SetInputData(input);
+    }
+    SetUp(this->Get());
+  }
+};
+
+using WatchedEnergy = WatchedAs<SetUpEnergy>;
+using WatchedUniform = WatchedAs<SetUpUniform>;
+using WatchedDefaults = WatchedAs<SetUpDefaults>;
+
+/// For tests that run once for each of several settings: what their filters begin with.
+inline void (*Begin)(vtkSphericalStyleFilter*) = SetUpDefaults;
+inline void BeginAsSet(vtkSphericalStyleFilter* filter)
+{
+  Begin(filter);
+}
+using Tested = WatchedAs<BeginAsSet>;
+
+/// Runs the tests with each setting and says which.
+inline void WithEach(
+  const std::vector<std::pair<const char*, void (*)(vtkSphericalStyleFilter*)>>& settings,
+  const std::function<void()>& tests)
+{
+  for (const auto& [name, setting] : settings)
+  {
+    std::cerr << "with " << name << "\n";
+    Begin = setting;
+    tests();
+  }
+  Begin = SetUpDefaults;
+}
+
 inline bool Contains(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;

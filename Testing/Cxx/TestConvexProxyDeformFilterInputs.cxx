@@ -7,6 +7,7 @@
 #include "vtkInformation.h"
 
 #include <sstream>
+#include <tuple>
 
 using namespace FilterTesting;
 
@@ -731,11 +732,45 @@ void Meshers(Checker& check, vtkPolyData* car)
   }
 }
 
+/// Panels get points of their own before all else, where there are many; seams stay shut.
+void LongEdges(Checker& check)
+{
+  const Surface coarse = MakeEllipsoid({ 1.0, 0.8, 2.0 }, Faces::Triangles, 8, 5);
+  const Surface fine = MakeEllipsoid({ 1.0, 0.8, 2.0 }, Faces::Triangles, 24, 23);
+  for (const auto& [name, input, isCoarse] :
+    { std::tuple("coarse", coarse, true), std::tuple("fine", fine, false) })
+  {
+    check.About(std::string("long edges, ") + name);
+    const vtkIdType n = input->GetNumberOfPoints();
+    WatchedProxyFilter filter(input);
+    const Surface off = Surface::New();
+    off->DeepCopy(filter.Output());
+    check(off->GetNumberOfPoints() == n && SameCells(off, input), "Off should split nothing");
+    filter->SetRefineLongEdgesToAutomatic();
+    vtkPolyData* output = filter.Output();
+    check(filter.Errors.empty(), "no error expected" + Joined(filter.Errors));
+    vtkDataArray* isNew = PointArray(output, "RefinedPoint");
+    check(isCoarse ? output->GetNumberOfPoints() > n : SamePolyData(output, off),
+      "Automatic should split what is coarse only");
+    check(
+      (isNew != nullptr) == isCoarse && output->GetCellData()->HasArray("OriginalCell") == isCoarse,
+      "RefinedPoint and OriginalCell should be there where it has split");
+    for (vtkIdType i = 0; isNew && i < isNew->GetNumberOfTuples(); ++i)
+    {
+      check(isNew->GetComponent(i, 0) == (i < n ? 0.0 : 1.0), "RefinedPoint of " + Text(i));
+    }
+    check(AllFinite(output->GetPoints()->GetData()), "points should be finite");
+    filter->SetRefineLongEdgesToOn();
+    check(filter.Output()->GetNumberOfPoints() > n, "On should split");
+    filter->SetRefineLongEdgesToOff();
+    check(SamePolyData(filter.Output(), off), "off again it should be as at first");
+  }
+}
+
 void Properties(Checker& check)
 {
-  WatchedProxyFilter filter;
+  Watched<vtkConvexProxyDeformFilter> filter;
   check.About("properties");
-  filter->SetNumberOfProxyPoints(5000);
   using FilterType = vtkConvexProxyDeformFilter;
   RoundTrip(ProxyMesher, 0, 3);
   RoundTrip(NumberOfProxyPoints, 5000, 100);
@@ -755,6 +790,7 @@ void Properties(Checker& check)
   RoundTrip(TanhSteepness, 3.0, 1.0);
   RoundTrip(BorderWidth, 0.2, 0.0);
   RoundTrip(Transfer, 0, 1);
+  RoundTrip(RefineLongEdges, 1, 2);
   RoundTrip(OutputPointsPrecision, vtkAlgorithm::DEFAULT_PRECISION, vtkAlgorithm::DOUBLE_PRECISION);
   RoundTrip(NumberOfThreads, 0, 2);
   OnOff(GenerateNormals, false);
@@ -802,6 +838,9 @@ void Properties(Checker& check)
   Mode(BlendFunction, Array, ARRAY, 5);
   Mode(Transfer, Blend, BLEND, 0);
   Mode(Transfer, Offset, OFFSET, 1);
+  Mode(RefineLongEdges, Off, NEVER, 0);
+  Mode(RefineLongEdges, Automatic, WHERE_COARSE, 1);
+  Mode(RefineLongEdges, On, ALWAYS, 2);
 
   const auto is = [&](const double* x, const Vector& expected, const char* name)
   {
@@ -819,7 +858,7 @@ void Properties(Checker& check)
   for (const char* name : { "ProxyMesher", "HullOf", "SphericalWeighting", "NumberOfProxyPoints",
          "Seed", "Roundness", "CenterMode", "Center", "RadiusMode", "Radius", "Projection",
          "NumberOfNeighbors", "BlendFunction", "Blend", "BlendAxis", "BlendRange", "BlendAtStart",
-         "BlendAtEnd", "TanhSteepness", "AxisGain", "BorderWidth", "Transfer",
+         "BlendAtEnd", "TanhSteepness", "AxisGain", "BorderWidth", "Transfer", "RefineLongEdges",
          "OutputPointsPrecision", "NumberOfThreads", "GenerateNormals", "GenerateProjectionArrays",
          "EffectiveNumberOfProxyPoints", "EffectiveProxyMesher", "ConvexityRatio",
          "TrianglesTurnedOver", "ProjectionCaseCounts", "ProjectionError", "EffectiveCenter",
@@ -847,6 +886,7 @@ int TestConvexProxyDeformFilterInputs(int argc, char* argv[])
   Regions(check);
   CellStorage(check);
   Meshers(check, car);
+  LongEdges(check);
   Properties(check);
   return check.Result();
 }

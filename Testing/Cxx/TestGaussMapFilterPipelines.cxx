@@ -20,6 +20,7 @@ void Rounding(Checker& check, vtkPolyData* creature)
 {
   check.About("rounding");
   vtkNew<vtkSphericalStyleFilter> style;
+  SetUpEnergy(style); // rounder as a whole, and not every limb in itself
   style->SetInputData(creature);
   WatchedGaussMap map;
   map->SetInputConnection(style->GetOutputPort());

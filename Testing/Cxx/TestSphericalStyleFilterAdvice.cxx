@@ -39,7 +39,7 @@ void Thinned(Checker& check)
   for (const vtkIdType loose : { 0, 3 })
   {
     check.About("a wall behind " + Text(loose) + " points");
-    WatchedFilter filter(MakeHollowBall(loose));
+    WatchedEnergy filter(MakeHollowBall(loose));
     filter.Output();
     check(filter.Warnings.empty(), "a little roundness should leave it thick enough");
     filter->SetRoundness(10.0);
@@ -65,9 +65,40 @@ void Thinned(Checker& check)
     filter->SetDetailSize(0.03);
     filter.Output();
     check(filter.Warnings.empty(), "stitches and details should hold two sheets apart");
-    filter->SetComponentCouplingToIndependent();
-    filter.Output();
-    check(filter.Warnings.size() == 1, "details alone do not hold two sheets apart");
+  }
+}
+
+/// With details nothing is looked at, for walls are held together: so look at it here.
+void WallsStay(Checker& check)
+{
+  for (const double size : { 0.03, 0.06 })
+  {
+    for (const double roundness : { 1.0, 10.0 })
+    {
+      check.About("a wall with DetailSize " + vtkVariant(size).ToString() + ", Roundness " +
+        vtkVariant(roundness).ToString());
+      const Surface ball = MakeHollowBall(0);
+      WatchedDefaults filter(ball);
+      filter->SetDetailSize(size);
+      filter->SetRoundness(roundness);
+      vtkPolyData* output = filter.Output();
+      check(filter.Warnings.empty(), "there should be no warning");
+      const vtkIdType half = ball->GetNumberOfPoints() / 2;
+      double least = HUGE_VAL;
+      for (vtkIdType i = 0; i < half; ++i) // its z is mirrored: the other pole is first
+      {
+        const Vector p = PointOf(ball, i);
+        for (vtkIdType j = half; j < 2 * half; ++j)
+        {
+          if (Distance(p, PointOf(ball, j)) < 0.1001)
+          {
+            least = std::min(least, Distance(PointOf(output, i), PointOf(output, j)) / 0.1);
+          }
+        }
+      }
+      check(least < HUGE_VAL, "the test should have pairs of points");
+      check.AtMost(-least, -0.1, "minus the least share of the thickness");
+    }
   }
 }
 
@@ -103,6 +134,8 @@ void Advice(Checker& check)
   WatchedFilter filter(slivers);
   check(std::string(filter->GetAdvice()).empty(), "before an execution there is none");
   Expect(check, "defaults", filter, "");
+  SetUpEnergy(filter.Get());
+  Expect(check, "closed form", filter, "");
   filter->SetSphericalWeightingToUniform();
   const vtkMTimeType before = filter->GetMTime();
   Expect(check, "uniform weights", filter, "SphericalWeighting Cotangent: ");
@@ -136,9 +169,11 @@ void Advice(Checker& check)
   filter->SetCenterModeToAreaCentroid();
   filter->SetInputData(MakeEllipsoid({ 1.0, 0.7, 0.4 }, Faces::Triangles, 8, 6));
   Expect(check, "large triangles", filter, "RefineLongEdges: 100 % of the area");
-  filter->RefineLongEdgesOn();
+  filter->SetRefineLongEdgesToAutomatic();
+  Expect(check, "large triangles found", filter, "");
+  filter->SetRefineLongEdgesToOn();
   Expect(check, "large triangles split", filter, "");
-  filter->RefineLongEdgesOff();
+  filter->SetRefineLongEdgesToOff();
   filter->SetInputData(vtkNew<vtkPolyData>());
   Expect(check, "empty input", filter, "");
 }
@@ -148,6 +183,7 @@ int TestSphericalStyleFilterAdvice(int, char*[])
 {
   Checker check;
   Thinned(check);
+  WallsStay(check);
   Advice(check);
   return check.Result();
 }

@@ -63,7 +63,7 @@ void EveryArray(Checker& check, vtkPolyData* icosahedron)
     cells->GetAbstractArray(i)->SetNumberOfTuples(input->GetNumberOfCells());
   }
   check(input->GetPointData()->GetTCoords(), "the model should have texture coordinates");
-  WatchedFilter filter(input);
+  WatchedDefaults filter(input);
   vtkPolyData* output = filter.Output();
   check(SameCells(input, output), "cells should come out byte for byte");
   CheckPassedOn(check, input->GetPointData(), output->GetPointData(), "my normals");
@@ -103,7 +103,7 @@ void EveryArray(Checker& check, vtkPolyData* icosahedron)
 void Switches(Checker& check)
 {
   check.About("switches of the output arrays");
-  WatchedFilter filter(MakeEllipsoid({ 1.0, 0.8, 2.0 }));
+  WatchedDefaults filter(MakeEllipsoid({ 1.0, 0.8, 2.0 }));
   const auto has = [&](const char* name)
   { return filter.Output()->GetPointData()->HasArray(name); };
   check(has("TargetDirection") && has("Displacement"), "two arrays should be there by default");
@@ -116,14 +116,48 @@ void Switches(Checker& check)
   check(filter.Output()->GetPointData()->GetNumberOfArrays() == 1 && has("Normals") &&
       filter.Output()->GetPointData()->GetNormals(),
     "GenerateNormals should add active normals");
-  filter->GenerateCellEnergyOn();
   filter->GenerateRotationOn();
   const auto components = [&](const char* name)
   {
     return has(name) ? filter.Output()->GetPointData()->GetArray(name)->GetNumberOfComponents() : 0;
   };
+  check(components("Rotation") == 9, "rotation should have 9 components");
+  filter->SetSphericalWeightingToUniform();
+  filter->GenerateCellEnergyOn();
   check(components("CellEnergy") == 1 && components("Rotation") == 9,
     "energy should have 1 component and rotation 9");
+}
+
+/// There is no energy in a closed form, and no trace of the last one.
+void NoEnergy(Checker& check)
+{
+  check.About("no energy in a closed form");
+  WatchedDefaults filter(MakeEllipsoid({ 1.0, 0.8, 2.0 }));
+  filter->SetSphericalWeightingToUniform();
+  filter.Output();
+  check(filter->GetFinalEnergy() > 0.0 && filter->GetNumberOfIterations() > 0, "the other has it");
+  filter->SetSphericalWeightingToCotangent();
+  filter->GenerateRotationOn();
+  filter.Output();
+  check(filter->GetFinalEnergy() == 0.0 && filter->GetNumberOfIterations() == 0 &&
+      filter->GetConverged(),
+    "nothing iterates");
+  auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+  check(table && table->GetNumberOfColumns() == 8 && table->GetNumberOfRows() == 0,
+    "the table should have columns and no rows");
+  for (const char* name : { "StageSeconds", "Spheres", "NumberOfStitches", "Advice" })
+  {
+    check(table->GetFieldData()->HasArray(name), std::string(name) + " should be there");
+  }
+  filter->GenerateCellEnergyOn();
+  vtkPolyData* output = filter.Output();
+  check(filter.Errors.empty() && output->GetNumberOfPoints() == 146, "it should work");
+  check(!output->GetPointData()->HasArray("CellEnergy"), "there should be no CellEnergy");
+  check(filter.Warnings.size() == 1 && Contains(filter.Warnings[0], "GenerateCellEnergy"),
+    "a warning should say so" + Joined(filter.Warnings));
+  filter->SetInitialGuessToRest();
+  check(
+    filter.Output()->GetPointData()->HasArray("CellEnergy"), "with an energy it should be back");
 }
 
 //------------------------------------------------------------------------------------------------
@@ -173,7 +207,7 @@ void NormalsOfResult(Checker& check, vtkPolyData* cube, vtkPolyData* icosahedron
 {
   constexpr double Single = 1e-6; // normals are in single precision
   check.About("GenerateNormals");
-  WatchedFilter generating(icosahedron);
+  WatchedDefaults generating(icosahedron);
   generating->GenerateNormalsOn();
   generating->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   vtkPolyData* output = generating.Output();
@@ -192,7 +226,7 @@ void NormalsOfResult(Checker& check, vtkPolyData* cube, vtkPolyData* icosahedron
     radial->InsertNextTuple(PointOf(smooth, i).data());
   }
   smooth->GetPointData()->SetNormals(radial);
-  WatchedFilter filter(smooth);
+  WatchedDefaults filter(smooth);
   vtkDataArray* normals = filter.Output()->GetPointData()->GetNormals();
   if (check(normals && std::string(normals->GetName()) == "radial", "normals keep their name"))
   {
@@ -216,7 +250,7 @@ void NormalsOfResult(Checker& check, vtkPolyData* cube, vtkPolyData* icosahedron
   vtkDataArray* before = sharp->GetPointData()->GetNormals();
   const std::vector<Cell> edges = CoincidentPoints(sharp);
   check(edges.size() > 8, "the test should have creases");
-  WatchedFilter filterOfSharp(sharp);
+  WatchedDefaults filterOfSharp(sharp);
   filterOfSharp->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   output = filterOfSharp.Output();
   normals = output->GetPointData()->GetNormals();
@@ -234,7 +268,7 @@ void NormalsOfResult(Checker& check, vtkPolyData* cube, vtkPolyData* icosahedron
   creases->ComputePointNormalsOff();
   creases->ComputeCellNormalsOn();
   creases->Update();
-  WatchedFilter filterOfCells(creases->GetOutput());
+  WatchedDefaults filterOfCells(creases->GetOutput());
   filterOfCells->SetRoundness(5.0);
   output = filterOfCells.Output();
   normals = output->GetCellData()->GetNormals();
@@ -284,7 +318,7 @@ void Directions(Checker& check, vtkPolyData* model, const char* name)
   {
     check.About(
       std::string("TargetDirection of ") + name + ", NormalBlend " + vtkVariant(a).ToString());
-    WatchedFilter filter(model);
+    WatchedEnergy filter(model);
     filter->SetNormalBlend(a);
     filter->SetCenterModeToPointMean();
     filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
@@ -315,6 +349,41 @@ void Directions(Checker& check, vtkPolyData* model, const char* name)
   }
 }
 
+/// With the thickness of limbs the normal in t is as long as a limb is thick, and at most r.
+void ThickDirections(Checker& check, vtkPolyData* model, const char* name)
+{
+  Vector center;
+  double radius;
+  SphereOf(model, center, radius);
+  const std::vector<Vector> normals = NormalsOf(model, model, nullptr);
+  for (const double a : { 0.5, 1.0 })
+  {
+    check.About(
+      std::string("thick TargetDirection of ") + name + ", blend " + vtkVariant(a).ToString());
+    WatchedDefaults filter(model);
+    filter->SetNormalBlend(a);
+    filter->SetDetailSize(0.0);
+    filter->SetCenterModeToPointMean();
+    filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    vtkDataArray* t = filter.Output()->GetPointData()->GetArray("TargetDirection");
+    double off = 0.0;
+    double thinnest = HUGE_VAL;
+    double thickest = 0.0;
+    for (vtkIdType i = 0; i < model->GetNumberOfPoints(); ++i)
+    {
+      const Vector d = Minus(PointOf(model, i), center);
+      const Vector ofNormal = Minus(TupleOf(t, i), Times((1.0 - a) / Length(d), d));
+      const double share = Dot(ofNormal, normals[i]) / a;
+      off = std::max(off, Distance(ofNormal, Times(a * share, normals[i])));
+      thinnest = std::min(thinnest, share);
+      thickest = std::max(thickest, share);
+    }
+    check.AtMost(off, 1e-10, "difference of t to (1 - a) d + a rho / r n");
+    check(thinnest > 0.0, "every limb should have a thickness");
+    check.AtMost(thickest, 1.0 + Rounding, "largest rho / r");
+  }
+}
+
 /// Normals of the input take the place of computed ones, of any length.
 void GivenNormals(Checker& check)
 {
@@ -330,7 +399,7 @@ void GivenNormals(Checker& check)
     normals->InsertNextTuple(Times(3.0, n).data());
     expected.push_back(Times(1.0 / Length(n), n));
   }
-  WatchedFilter filter(input);
+  WatchedEnergy filter(input);
   filter->SetNormalBlend(1.0);
   const Surface computed = MakeEllipsoid({ 1.0, 0.8, 2.0 });
   check.AtMost(LargestDifference(filter.Output()->GetPointData()->GetArray("TargetDirection"),
@@ -354,6 +423,10 @@ void GivenNormals(Checker& check)
   check.AtMost(
     LargestDifference(filter.Output()->GetPointData()->GetArray("TargetDirection"), expected),
     Rounding, "normals by name, difference to them at length 1");
+  filter->SetInputArrayToProcess(0, 0, 0, OfPoints, "");
+  check.AtMost(LargestDifference(filter.Output()->GetPointData()->GetArray("TargetDirection"),
+                 NormalsOf(computed, computed, nullptr)),
+    1e-10, "without them again, difference to computed ones");
 }
 
 //------------------------------------------------------------------------------------------------
@@ -422,7 +495,7 @@ void RotationsAndEnergies(Checker& check, vtkPolyData* model)
     {
       check.About(std::string("energies, NormalBlend ") + vtkVariant(blend).ToString() +
         (cotangent ? ", cotangent" : ", uniform"));
-      WatchedFilter filter(model);
+      WatchedEnergy filter(model);
       filter->SetRoundness(2.0);
       filter->SetNormalBlend(blend);
       filter->SetSphericalWeighting(cotangent);
@@ -482,6 +555,13 @@ void RotationsAndEnergies(Checker& check, vtkPolyData* model)
       const Energies transposed = EnergiesOf(model, output, 2.0, cotangent, radius, true);
       check(transposed.rigid + transposed.spherical > (1.0 + 1e-6) * energy,
         "columns instead of rows should not fit");
+
+      vtkSmartPointer<vtkDataArray> before = rotations;
+      filter->SetKeepSizeToArea();
+      output = filter.Output();
+      check(SameArray(before, output->GetPointData()->GetArray("Rotation")),
+        "KeepSize should not turn a cell");
+      check(filter->GetFinalEnergy() == energy, "nor change the energy");
     }
   }
 }
@@ -493,7 +573,7 @@ void History(Checker& check, vtkPolyData* model)
   for (const bool acceleration : { true, false })
   {
     check.About(std::string("history, acceleration ") + (acceleration ? "on" : "off"));
-    WatchedFilter filter(model);
+    WatchedEnergy filter(model);
     filter->SetAcceleration(acceleration);
     filter->SetInitialGuessToRest();
     filter->SetTolerance(1e-6);
@@ -545,7 +625,7 @@ void History(Checker& check, vtkPolyData* model)
 void IntrinsicDelaunay(Checker& check)
 {
   const Surface model = MakeEllipsoid({ 4.0, 0.2, 1.0 });
-  WatchedFilter filter(model);
+  WatchedEnergy filter(model);
   const auto count = [&](const char* name)
   {
     filter.Output();
@@ -554,7 +634,7 @@ void IntrinsicDelaunay(Checker& check)
   };
   check.About("EdgeWeighting");
   check(count("EdgeFlips") == -1.0, "half edges should not tell of flips");
-  WatchedFilter half(model);
+  WatchedEnergy half(model);
   half->SetSphericalWeightingToUniform(); // cotangent weights have one minimum, the blend
   filter->SetSphericalWeightingToUniform();
   filter->SetEdgeWeightingToIntrinsicDelaunay();
@@ -575,14 +655,18 @@ void Thesis(Checker& check, vtkPolyData* model)
   {
     check.About("ReproduceThesis, NormalBlend " + vtkVariant(blend).ToString());
     WatchedFilter thesis(model);
+    thesis->SetRoundness(0.5);
     thesis->SetNormalBlend(blend);
     thesis->ReproduceThesisOn();
-    // What it overrides.
+    // What it overrides, with what is the default.
+    thesis->SetRefineLongEdgesToOn();
+    thesis->KeepOnGroundOn();
+    thesis->SetKeepSizeToVolume();
     thesis->SetCenterModeToAreaCentroid();
     thesis->SetDetailSize(0.1);
     thesis->SetSphericalWeightingToCotangent();
     thesis->SetEdgeWeightingToIntrinsicDelaunay();
-    WatchedFilter byHand(model);
+    WatchedEnergy byHand(model);
     byHand->SetNormalBlend(blend);
     byHand->SetEdgeWeightingToFullEdge();
     byHand->SetSphericalWeightingToUniform();
@@ -605,7 +689,8 @@ void Thesis(Checker& check, vtkPolyData* model)
 }
 
 /// What an array gives and what the property gives: the same to rounding.
-void PerPointArrays(Checker& check, vtkPolyData* model, const char* name)
+void PerPointArrays(Checker& check, vtkPolyData* model, const std::string& name,
+  const std::function<void(vtkSphericalStyleFilter*)>& setUp)
 {
   const vtkIdType n = model->GetNumberOfPoints();
   const double tolerance = Rounding * Diagonal(model);
@@ -627,10 +712,14 @@ void PerPointArrays(Checker& check, vtkPolyData* model, const char* name)
   const auto compare = [&](int index, vtkDataArray* array, const char* what,
                          const std::function<void(vtkSphericalStyleFilter*)>& property)
   {
-    check.About(std::string(name) + ", " + what);
+    check.About(name + ", " + what);
     WatchedFilter byArray(withArray(array));
+    setUp(byArray.Get());
+    byArray->SetRoundness(0.5);
     byArray->SetInputArrayToProcess(index, 0, 0, OfPoints, array->GetName());
     WatchedFilter byProperty(model);
+    setUp(byProperty.Get());
+    byProperty->SetRoundness(0.5);
     property(byProperty.Get());
     for (WatchedFilter* filter : { &byArray, &byProperty })
     {
@@ -665,6 +754,7 @@ void PerPointArrays(Checker& check, vtkPolyData* model, const char* name)
   for (const double blend : { 0.0, 0.5 })
   {
     WatchedFilter other(model);
+    setUp(other.Get());
     other->SetNormalBlend(blend);
     other->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     vtkSmartPointer<vtkDataArray> t = other.Output()->GetPointData()->GetArray("TargetDirection");
@@ -673,7 +763,7 @@ void PerPointArrays(Checker& check, vtkPolyData* model, const char* name)
       [&](vtkSphericalStyleFilter* filter) { filter->SetNormalBlend(blend); });
   }
 
-  check.About(std::string(name) + ", factor 1 on one half and 0 on the other");
+  check.About(name + ", factor 1 on one half and 0 on the other");
   auto factor = constant(0.0);
   double bounds[6];
   model->GetPoints()->GetBounds(bounds);
@@ -683,6 +773,7 @@ void PerPointArrays(Checker& check, vtkPolyData* model, const char* name)
     factor->SetValue(i, PointOf(model, i)[1] > middle ? 1.0f : 0.0f);
   }
   WatchedFilter half(withArray(factor));
+  setUp(half.Get());
   half->SetRoundness(5.0);
   half->SetInputArrayToProcess(1, 0, 0, OfPoints, "mine");
   double stretch[2] = { 0.0, 0.0 }; // largest relative change of an edge
@@ -724,7 +815,18 @@ int TestSphericalStyleFilterArrays(int argc, char* argv[])
   History(check, bottle);
   IntrinsicDelaunay(check);
   Thesis(check, house);
-  PerPointArrays(check, bottle, "bottle");
-  PerPointArrays(check, icosahedron, "icosahedron");
+  ThickDirections(check, bottle, "bottle");
+  ThickDirections(check, icosahedron, "icosahedron");
+  const auto energy = [](vtkSphericalStyleFilter* filter)
+  {
+    SetUpEnergy(filter);
+    filter->SetSphericalWeightingToUniform();
+  };
+  PerPointArrays(check, bottle, "bottle", SetUpEnergy);
+  PerPointArrays(check, bottle, "bottle with defaults", SetUpDefaults);
+  PerPointArrays(check, bottle, "bottle with an energy", energy);
+  PerPointArrays(check, icosahedron, "icosahedron", SetUpEnergy);
+  PerPointArrays(check, icosahedron, "icosahedron with defaults", SetUpDefaults);
+  NoEnergy(check);
   return check.Result();
 }

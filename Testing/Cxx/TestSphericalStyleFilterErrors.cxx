@@ -40,7 +40,7 @@ void ExpectError(Checker& check, const std::string& about, const std::vector<std
 {
   check.About(about);
   const Surface input = MakeModel();
-  WatchedFilter filter(input);
+  WatchedDefaults filter(input);
   filter.Output(); // there is an old result that must go
   check(filter.Errors.empty(), "the model should be good before");
   spoil(filter.Get(), input);
@@ -67,7 +67,7 @@ void ExpectError(Checker& check, const std::string& about, const std::vector<std
   input->Modified();
   output = filter.Output();
   check(filter.Errors.empty() && filter.Warnings.empty(), "repaired, it should say nothing");
-  WatchedFilter fresh(MakeModel());
+  WatchedDefaults fresh(MakeModel());
   check(SamePoints(output, fresh.Output()), "repaired, it should give what a new filter gives");
 }
 
@@ -148,14 +148,7 @@ void Numbers(Checker& check)
     ExpectError(
       check, "Roundness " + vtkVariant(bad).ToString(), { "Roundness" },
       [&](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetRoundness(bad); },
-      [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetRoundness(0.5); });
-  }
-  for (const double bad : { -1.0, NaN, Infinite })
-  {
-    ExpectError(
-      check, "TimeBudget " + vtkVariant(bad).ToString(), { "TimeBudget" },
-      [&](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetTimeBudget(bad); },
-      [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetTimeBudget(0.0); });
+      [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetRoundness(1.0); });
   }
   for (const double bad : { 0.0, -1.0, NaN, Infinite })
   {
@@ -183,15 +176,27 @@ void Numbers(Checker& check)
   ExpectError(
     check, "NormalBlend NaN", { "NormalBlend" },
     [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetNormalBlend(NaN); },
-    [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetNormalBlend(0.0); });
+    [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetNormalBlend(0.6); });
   ExpectError(
     check, "DetailSize NaN", { "DetailSize" },
     [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetDetailSize(NaN); },
-    [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetDetailSize(0.0); });
+    [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetDetailSize(0.06); });
   ExpectError(
     check, "Tolerance NaN", { "Tolerance" },
     [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetTolerance(NaN); },
     [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetTolerance(1e-4); });
+}
+
+/// The opposite of SetUpEnergy with Uniform weights and a radius.
+void WithDefaults(vtkSphericalStyleFilter* filter, vtkPolyData*)
+{
+  filter->SetRoundness(1.0);
+  filter->SetNormalBlend(0.6);
+  filter->SetNormalRadiusToOwnThickness();
+  filter->SetDetailSize(0.06);
+  filter->SetKeepSizeToArea();
+  filter->SetSphericalWeightingToCotangent();
+  filter->SetRadiusModeToEqualArea();
 }
 
 /// Results that their number type cannot hold.
@@ -202,12 +207,14 @@ void Ranges(Checker& check)
     { "point 0 of the result", "beyond the range of single precision" },
     [](vtkSphericalStyleFilter* filter, vtkPolyData*)
     {
+      filter->SetKeepSizeToOff();
       filter->SetRadiusModeToCustom();
-      filter->SetRadius(1e39);
+      filter->SetRadius(1e40); // a part of it, as NormalBlend and Roundness say
       filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
     },
     [](vtkSphericalStyleFilter* filter, vtkPolyData*)
     {
+      filter->SetKeepSizeToArea();
       filter->SetRadiusModeToEqualArea();
       filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
     });
@@ -216,10 +223,12 @@ void Ranges(Checker& check)
     { "the energy is beyond the range of double precision" },
     [](vtkSphericalStyleFilter* filter, vtkPolyData*)
     {
+      SetUpEnergy(filter);
+      filter->SetSphericalWeightingToUniform();
       filter->SetRadiusModeToCustom();
       filter->SetRadius(1e200);
     },
-    [](vtkSphericalStyleFilter* filter, vtkPolyData*) { filter->SetRadiusModeToEqualArea(); });
+    WithDefaults);
   const auto scale = [](vtkPolyData* input, int exponent)
   {
     for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
@@ -235,6 +244,8 @@ void Ranges(Checker& check)
     { "CellEnergy at point 0", "beyond the range of double precision" },
     [&](vtkSphericalStyleFilter* filter, vtkPolyData* input)
     {
+      SetUpEnergy(filter);
+      filter->SetSphericalWeightingToUniform();
       scale(input, 600);
       filter->GenerateCellEnergyOn();
     },
@@ -242,6 +253,7 @@ void Ranges(Checker& check)
     {
       scale(input, -600);
       filter->GenerateCellEnergyOff();
+      WithDefaults(filter, input);
     });
 }
 
@@ -260,7 +272,7 @@ void UnusedNumbers(Checker& check)
 void NoVolume(Checker& check)
 {
   check.About("RadiusMode EqualVolume of a planar patch");
-  WatchedFilter filter(MakeSurface(
+  WatchedDefaults filter(MakeSurface(
     { { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 2, 1 } }, { { 0, 1, 2 }, { 0, 2, 3 } }));
   filter->SetRadiusModeToEqualVolume();
   vtkPolyData* output = filter.Output();
@@ -295,7 +307,7 @@ void WithoutArrays(vtkSphericalStyleFilter* filter, vtkPolyData* input)
   {
     filter->SetInputArrayToProcess(index, 0, 0, OfPoints, "");
   }
-  filter->SetNormalBlend(0.0);
+  filter->SetNormalBlend(0.6);
   input->GetPointData()->Initialize();
   input->GetCellData()->Initialize();
 }
@@ -395,7 +407,11 @@ void WrongAttributes(Checker& check)
           ask(filter, a.index == Normals ? 1 : 0, "");
           filter->SetInputArrayToProcess(a.index, 0, 0, OfPoints, attribute);
         },
-        [&](vtkSphericalStyleFilter* filter, vtkPolyData*) { ask(filter, 0, ""); });
+        [&](vtkSphericalStyleFilter* filter, vtkPolyData*)
+        {
+          ask(filter, 0, "");
+          filter->SetNormalBlend(0.6);
+        });
     }
   }
 }
@@ -495,7 +511,8 @@ void UnusedNormals(Checker& check)
   normals->SetComponent(3, 0, NaN);
   normals->SetComponent(4, 0, NaN);
   input->GetPointData()->SetNormals(normals);
-  WatchedFilter filter(input);
+  WatchedDefaults filter(input);
+  filter->SetNormalBlend(0.0);
   vtkPolyData* output = filter.Output();
   check(filter.Errors.empty() && output->GetNumberOfPoints() > 0, "they should not matter");
   check(output->GetPointData()->GetNormals() && AllFinite(output->GetPointData()->GetNormals()),
@@ -506,7 +523,7 @@ void UnusedNormals(Checker& check)
 void TooFewIterations(Checker& check)
 {
   check.About("MaximumNumberOfIterations reached");
-  WatchedFilter filter(MakeModel());
+  WatchedEnergy filter(MakeModel());
   filter->SetSphericalWeightingToUniform(); // the default has a closed form
   filter->SetTolerance(1e-12);
   filter->SetMaximumNumberOfIterations(2);
@@ -565,7 +582,7 @@ void NoMinimum(Checker& check)
   for (const bool thesis : { false, true })
   {
     check.About(thesis ? "no minimum, thesis" : "no minimum");
-    WatchedFilter filter(sheet);
+    WatchedEnergy filter(sheet);
     filter->SetRoundness(0.01);
     filter->SetEdgeWeightingToFullEdge();
     filter->SetSphericalWeightingToUniform();
@@ -649,10 +666,14 @@ void Abort(Checker& check, vtkPolyData* model, double progress)
 void ProgressRises(Checker& check)
 {
   check.About("progress");
-  WatchedFilter filter(MakeModel());
+  WatchedEnergy filter(MakeModel());
   filter->SetSphericalWeightingToUniform(); // the default has a closed form
   filter->SetTolerance(1e-10);
   CheckProgress(check, filter.Get(), 6);
+
+  check.About("progress of a closed form");
+  WatchedFilter closed(MakeModel());
+  CheckProgress(check, closed.Get(), 3);
 }
 }
 

@@ -18,13 +18,24 @@ using Change = std::function<void(vtkSphericalStyleFilter*)>;
 
 void SetUp(vtkSphericalStyleFilter* filter)
 {
+  SetUpUniform(filter); // folds more, and iterates
   filter->SetNormalBlend(1.0);
   filter->SetRoundness(5.0);
-  filter->SetSphericalWeightingToUniform(); // folds more, and iterates
   filter->AvoidSelfIntersectionsOn();
 }
 
 #ifdef SPHERICALSTYLE_WITH_CGAL
+/// The defaults again, but for the guard and the long edges.
+void Defaults(vtkSphericalStyleFilter* filter)
+{
+  filter->SetRoundness(1.0);
+  filter->SetNormalBlend(0.6);
+  filter->SetNormalRadiusToOwnThickness();
+  filter->SetDetailSize(0.06);
+  filter->SetKeepSizeToArea();
+  filter->SetSphericalWeightingToCotangent();
+}
+
 // Two balls with a waist, where normals as targets fold; arrays to choose parts with.
 Surface Dumbbell(int type = VTK_DOUBLE)
 {
@@ -128,6 +139,27 @@ void NothingIsLeft(Checker& check, int argc, char* argv[])
   }
   const std::pair<const char*, Change> milder[] = {
     { "half normals", [](F* f) { f->SetNormalBlend(0.5); } },
+    { "defaults", Defaults },
+    { "defaults, much of them",
+      [](F* f)
+      {
+        Defaults(f);
+        f->SetRoundness(5.0);
+        f->SetNormalBlend(1.0);
+      } },
+    { "defaults and a region",
+      [](F* f)
+      {
+        Defaults(f);
+        f->SetInputArrayToProcess(RegionArray, 0, 0, OfPoints, "region");
+      } },
+    { "defaults and two centers",
+      [](F* f)
+      {
+        Defaults(f);
+        f->SetInputArrayToProcess(CenterIdArray, 0, 0, OfPoints, "part");
+      } },
+    { "its area", [](F* f) { f->SetKeepSizeToArea(); } },
     { "details", [](F* f) { f->SetDetailSize(0.03); } },
     { "flip", [](F* f) { f->SetConcaveEdgesToFlip(); } },
     { "zero", [](F* f) { f->SetConcaveEdgesToZero(); } },
@@ -165,8 +197,8 @@ void RemainingRoundness(Checker& check)
   const Surface rest = Mapped(model, [](const Vector& x) { return x; });
   rest->GetPointData()->AddArray(remaining);
   again->SetInputData(rest);
+  SetUpUniform(again.Get());
   again->SetNormalBlend(1.0);
-  again->SetSphericalWeightingToUniform();
   again->SetRoundness(1.0);
   again->SetInputArrayToProcess(RoundnessArray, 0, 0, OfPoints, "RemainingRoundness");
   check(SamePoints(again.Output(), output), "the array as factors should give the same bits");
@@ -189,6 +221,13 @@ void CleanModels(Checker& check, int argc, char* argv[])
         f->SetDetailSize(0.03);
       } },
     { "stone-house.vtp", [](vtkSphericalStyleFilter* f) { f->SetRoundness(0.0); } },
+    { "go-stone.vtp", Defaults },
+    { "stone-house.vtp",
+      [](vtkSphericalStyleFilter* f)
+      {
+        Defaults(f);
+        f->SetRoundness(0.0);
+      } },
   };
   for (const auto& [name, change] : cases)
   {
@@ -262,15 +301,19 @@ void LastResort(Checker& check, int argc, char* argv[])
 }
 
 /// Any number of threads and any execution: the same bits.
-void Deterministic(Checker& check)
+void Deterministic(Checker& check, const char* about, const Change& change)
 {
-  check.About("threads");
+  check.About(std::string("threads, ") + about);
   const Surface model = Dumbbell();
   WatchedFilter one(model);
   SetUp(one.Get());
+  change(one.Get());
+  one->SetRoundness(5.0);
   one->SetNumberOfThreads(1);
   WatchedFilter three(model);
   SetUp(three.Get());
+  change(three.Get());
+  three->SetRoundness(5.0);
   three->SetNumberOfThreads(3);
   check(SamePolyData(one.Output(), three.Output()), "one and three threads: the same bits");
   three->Modified();
@@ -363,7 +406,8 @@ int TestSphericalStyleFilterFoldGuard(int argc, char* argv[])
   CleanModels(check, argc, argv);
   RestIntersections(check);
   LastResort(check, argc, argv);
-  Deterministic(check);
+  Deterministic(check, "energy", [](vtkSphericalStyleFilter*) {});
+  Deterministic(check, "defaults", Defaults);
   Aborts(check);
 #else
   (void)argc;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Picture of the creature: as it is, rounded, and rounded with its details kept.
+/// Picture of the creature: as it is, rounded, and rounded with the defaults.
 #include "FilterTesting.h"
 
 #include "vtkActor.h"
@@ -41,13 +41,12 @@ int TestSphericalStyleFilterImage(int argc, char* argv[])
   normals->SplittingOff();
   vtkNew<vtkSphericalStyleFilter> rounded;
   rounded->SetInputConnection(reader->GetOutputPort());
+  SetUpEnergy(rounded);
   rounded->SetRoundness(1.0);
   rounded->GenerateNormalsOn();
-  vtkNew<vtkSphericalStyleFilter> detailed;
-  detailed->SetInputConnection(reader->GetOutputPort());
-  detailed->SetRoundness(5.0);
-  detailed->SetDetailSize(0.03);
-  detailed->GenerateNormalsOn();
+  vtkNew<vtkSphericalStyleFilter> made;
+  made->SetInputConnection(reader->GetOutputPort());
+  made->GenerateNormalsOn();
   reader->Update();
   const double width = 0.75 * Diagonal(reader->GetOutput());
 
@@ -55,7 +54,7 @@ int TestSphericalStyleFilterImage(int argc, char* argv[])
   renderer->SetBackground(1.0, 1.0, 1.0);
   AddToScene(renderer, normals->GetOutputPort(), 0.0, { 0.75, 0.75, 0.75 });
   AddToScene(renderer, rounded->GetOutputPort(), width, { 0.9, 0.6, 0.4 });
-  AddToScene(renderer, detailed->GetOutputPort(), 2.0 * width, { 0.5, 0.7, 0.9 });
+  AddToScene(renderer, made->GetOutputPort(), 2.0 * width, { 0.5, 0.7, 0.9 });
   vtkNew<vtkRenderWindow> window;
   window->SetMultiSamples(0);
   window->SetSize(660, 220);

@@ -176,7 +176,11 @@ void Properties(Checker& check, vtkPolyData* model)
     { "Anchor", [](F* f) { f->SetAnchorToLastPoint(); } },
     { "ComponentCoupling", [](F* f) { f->SetComponentCouplingToIndependent(); } },
     { "InitialGuess", [](F* f) { f->SetInitialGuessToRest(); } },
-    { "LinearSolver", [](F* f) { f->SetLinearSolverToConjugateGradients(); } },
+    { "NormalRadius", [](F* f) { f->SetNormalRadiusToWholeModel(); } },
+    { "KeepSize", [](F* f) { f->SetKeepSizeToVolume(); } },
+    { "KeepOnGround", [](F* f) { f->KeepOnGroundOn(); } },
+    { "UpAxis", [](F* f) { f->SetUpAxisToZ(); } },
+    { "RefineLongEdges", [](F* f) { f->SetRefineLongEdgesToAutomatic(); } },
     { "NumberOfThreads", [](F* f) { f->SetNumberOfThreads(3); } },
   };
   for (const auto& [name, change] : ignored)

@@ -37,7 +37,8 @@ struct Refining : WatchedFilter
   explicit Refining(vtkPolyData* surface, double length = 0.1, double roundness = 0.0)
     : WatchedFilter(surface)
   {
-    (*this)->RefineLongEdgesOn();
+    SetUpEnergy(this->Get());
+    (*this)->SetRefineLongEdgesToOn();
     (*this)->SetMaximumEdgeLength(length);
     (*this)->SetRoundness(roundness);
     if (roundness == 0.0)
@@ -282,6 +283,12 @@ void Seams(Checker& check)
     vtkPolyData* output = bent.Output();
     check(LargestDistance(flat, output) > 0.01, "it should move");
     check(sorted(CoincidentPoints(output)) == twins, "the cut should stay shut to the last bit");
+    WatchedFilter made(sheet);
+    made->SetRoundness(roundness);
+    made->SetRefineLongEdgesToOn();
+    made->SetMaximumEdgeLength(0.05);
+    check(LargestDistance(flat, made.Output()) > 0.01, "with the defaults it should move");
+    check(sorted(CoincidentPoints(made.Output())) == twins, "with the defaults too");
   }
 
   check.About("a point on the middle of another panel's edge");
@@ -380,7 +387,7 @@ void NothingLong(Checker& check)
       const Surface model = MakeEllipsoid({ 1.0, 0.8, 2.0 }, faces, 16, 9, type);
       AddArrays(model);
       model->GetPolys()->ConvertTo32BitStorage();
-      WatchedFilter plain(model);
+      WatchedEnergy plain(model);
       Refining filter(model, 0.5, 0.5);
       vtkPolyData* output = filter.Output();
       check(SamePoints(plain.Output(), output), "the points should have the same bits");
@@ -577,7 +584,7 @@ void BecomesRound(Checker& check)
 {
   check.About("a flat box");
   const Surface box = Box({ 1.0, 1.5, 0.4 });
-  WatchedFilter coarse(box);
+  WatchedEnergy coarse(box);
   coarse->SetRoundness(5.0);
   const double before = SpreadOfSurface(coarse.Output());
   double last = before;
@@ -603,6 +610,48 @@ void BecomesRound(Checker& check)
     const Vector by = { to[0] - from[0], to[1] - from[1], to[2] - from[2] };
     check.AtMost(Distance(d, by), Rounding, "error of Displacement");
   }
+}
+
+/// Where a tenth of the area has edges above a tenth of the diagonal, Automatic is On, else Off.
+void Automatic(Checker& check)
+{
+  const auto outputs = [](vtkPolyData* surface, int refine)
+  {
+    WatchedFilter filter(surface);
+    filter->SetRefineLongEdges(refine);
+    Surface output = Surface::New();
+    output->DeepCopy(filter.Output());
+    return output;
+  };
+  using F = vtkSphericalStyleFilter;
+  // A fine ball beside a panel of two triangles with a share of all area.
+  const Surface ball = MakeEllipsoid({ 1.0, 1.0, 1.0 }, Faces::Triangles, 48, 47);
+  const double areaOfBall = 4.0 * vtkMath::Pi();
+  for (const auto& [share, isCoarse] :
+    { std::pair(0.0, false), std::pair(0.08, false), std::pair(0.12, true), std::pair(1.0, true) })
+  {
+    check.About("automatic, coarse share " + vtkVariant(share).ToString());
+    const double side = std::sqrt(share < 1.0 ? areaOfBall * share / (1.0 - share) : 1.0);
+    const Surface panel =
+      MakeSurface({ { 3, 0, 0 }, { 3 + side, 0, 0 }, { 3 + side, side, 0 }, { 3, side, 0 } },
+        { { 0, 1, 2 }, { 0, 2, 3 } });
+    const Surface model = share == 0.0 ? ball
+      : share == 1.0                   ? Box({ 1.0, 1.5, 0.4 })
+                                       : Together({ ball, panel });
+    const Surface automatic = outputs(model, F::WHERE_COARSE);
+    check(SamePolyData(automatic, outputs(model, isCoarse ? F::ALWAYS : F::NEVER)),
+      isCoarse ? "it should be On" : "it should be Off");
+    check((automatic->GetNumberOfPoints() > model->GetNumberOfPoints()) == isCoarse,
+      "new points where it is coarse");
+  }
+
+  check.About("automatic, nonlinear and thesis");
+  WatchedFilter nonlinear(Box({ 1.0, 1.5, 0.4 }));
+  nonlinear->SetFeatureToNonlinear();
+  check(nonlinear.Output()->GetNumberOfPoints() == 8, "nonlinear splits nothing by itself");
+  nonlinear->SetFeatureToLinear();
+  nonlinear->ReproduceThesisOn();
+  check(nonlinear.Output()->GetNumberOfPoints() == 8, "nor does the thesis");
 }
 
 /// The same triangles at every place and scale, with points of either type.
@@ -702,12 +751,12 @@ void BadInput(Checker& check)
 
   check.About("off, and the thesis");
   const Surface box = Box({ 1.0, 1.5, 0.4 });
-  WatchedFilter plain(box);
+  WatchedEnergy plain(box);
   Refining filter(box, 0.1, 0.5);
   filter.Output();
-  filter->RefineLongEdgesOff();
+  filter->SetRefineLongEdgesToOff();
   check(SamePolyData(plain.Output(), filter.Output()), "off it should be as if it had never been");
-  filter->RefineLongEdgesOn();
+  filter->SetRefineLongEdgesToOn();
   filter->ReproduceThesisOn();
   check(filter.Output()->GetNumberOfPoints() == 8, "the thesis splits nothing");
 }
@@ -725,6 +774,7 @@ int TestSphericalStyleFilterRefine(int, char*[])
   Arrays(check);
   Parts(check);
   BecomesRound(check);
+  Automatic(check);
   Invariance(check);
   BadInput(check);
   return check.Result();

@@ -62,7 +62,7 @@ void Output(Checker& check)
 void SeveralCenters(Checker& check)
 {
   check.About("several centers");
-  WatchedFilter one(MakeEllipsoid({ 1.0, 1.0, 1.0 }));
+  WatchedEnergy one(MakeEllipsoid({ 1.0, 1.0, 1.0 }));
   const vtkIdType points = one.Output(2)->GetNumberOfPoints();
   const Surface apart = Together({ MakeEllipsoid({ 1.0, 1.0, 1.0 }),
     Shifted(MakeEllipsoid({ 1.0, 1.0, 1.0 }), { 5.0, 0.0, 0.0 }) });
@@ -73,7 +73,7 @@ void SeveralCenters(Checker& check)
     ids->InsertNextValue(2 * i < apart->GetNumberOfPoints() ? 0 : 1);
   }
   apart->GetPointData()->AddArray(ids);
-  WatchedFilter two(apart);
+  WatchedEnergy two(apart);
   two->SetInputArrayToProcess(5, 0, 0, OfPoints, "CenterId");
   vtkPolyData* spheres = two.Output(2);
   check(spheres->GetNumberOfPoints() == 2 * points, "should be a sphere for each");

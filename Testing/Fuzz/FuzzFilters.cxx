@@ -68,7 +68,6 @@ struct Subject
 {
   vtkSmartPointer<vtkPolyDataAlgorithm> Filter;
   bool Deforms = true; ///< output 0 is the input with other points
-  bool Repeats = true; ///< it does not go on from the last result
 };
 
 constexpr int Enough = 8; // values of an enumeration; the setters clamp
@@ -132,9 +131,15 @@ Subject MakeSphericalStyle(Bytes& bytes)
   f->SetAnchor(bytes.Below(2));
   f->SetComponentCoupling(bytes.Below(2));
   f->SetWeldCoincidentPoints(bytes.Below(4) != 1);
-  f->SetInitialGuess(bytes.Below(4) % 3);
-  f->SetTimeBudget(bytes.Below(8) == 1 ? bytes.Any() : 0.0);
-  f->SetRefineLongEdges(bytes.Below(4) == 1);
+  f->SetInitialGuess(bytes.Below(4) % 2);
+  const int size = bytes.Byte();
+  f->SetKeepSize(size % 4);
+  f->SetKeepOnGround(size & 4);
+  f->SetUpAxis(size / 8 % 4);
+  f->SetNormalRadius(size / 32 % 2);
+  constexpr int refinements[] = { vtkSphericalStyleFilter::NEVER, vtkSphericalStyleFilter::ALWAYS,
+    vtkSphericalStyleFilter::WHERE_COARSE, vtkSphericalStyleFilter::NEVER };
+  f->SetRefineLongEdges(refinements[bytes.Below(4)]);
   f->SetMaximumEdgeLength(0.1 + bytes.Share());
   f->SetReproduceThesis(bytes.Below(8) == 1);
 #ifdef SPHERICALSTYLE_WITH_CGAL
@@ -148,7 +153,6 @@ Subject MakeSphericalStyle(Bytes& bytes)
   f->SetGenerateCellEnergy(arrays & 4);
   f->SetGenerateRotation(arrays & 8);
   f->SetGenerateAuxiliaryScale(arrays & 16);
-  f->SetLinearSolver(arrays / 64);
   SetArrays(bytes, f, 5);
   const int ports = bytes.Below(16);
   if (ports == 1 || ports == 2)
@@ -159,8 +163,8 @@ Subject MakeSphericalStyle(Bytes& bytes)
   {
     f->SetSelectionData(SelectionFromBytes(bytes));
   }
-  return { f, !f->GetRefineLongEdges() || f->GetReproduceThesis(),
-    f->GetInitialGuess() != vtkSphericalStyleFilter::LAST_RESULT && f->GetTimeBudget() == 0.0 };
+  return { f,
+    f->GetRefineLongEdges() == vtkSphericalStyleFilter::NEVER || f->GetReproduceThesis() };
 }
 
 Subject MakeCubicStyle(Bytes& bytes)
@@ -267,7 +271,11 @@ Subject MakeConvexProxy(Bytes& bytes)
   f->SetTransfer(bytes.Below(2));
   f->SetOutputPointsPrecision(bytes.Below(Enough));
   f->SetGenerateNormals(bytes.Flag());
-  f->SetGenerateProjectionArrays(bytes.Flag());
+  const int more = bytes.Byte();
+  f->SetGenerateProjectionArrays(more & 1);
+  f->SetRefineLongEdges(more / 2 % 8 == 1 ? vtkConvexProxyDeformFilter::ALWAYS
+      : more / 2 % 8 == 2                 ? vtkConvexProxyDeformFilter::WHERE_COARSE
+                                          : vtkConvexProxyDeformFilter::NEVER);
   SetArrays(bytes, f, 3);
   const int ports = bytes.Below(8);
   if (ports == 1 || ports == 2)
@@ -278,7 +286,7 @@ Subject MakeConvexProxy(Bytes& bytes)
   {
     f->SetSelectionData(SelectionFromBytes(bytes));
   }
-  return { f };
+  return { f, f->GetRefineLongEdges() == vtkConvexProxyDeformFilter::NEVER };
 }
 #endif
 
@@ -429,17 +437,14 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   const Messages ofKept = RunAndCheck(kept, input);
   const Subject fresh = SubjectFromBytes(same);
   const Messages ofFresh = RunAndCheck(fresh, input);
-  if (kept.Repeats)
-  {
-    vtkPolyData* a = kept.Filter->GetOutput();
-    vtkPolyData* b = fresh.Filter->GetOutput();
-    const std::string saidByKept = Said(ofKept.Errors) + Said(ofKept.Warnings);
-    const std::string saidByFresh = Said(ofFresh.Errors) + Said(ofFresh.Warnings);
-    Demand(saidByKept == saidByFresh, "a filter that has run says what a new one says", kept.Filter,
-      saidByKept + "and not" + saidByFresh);
-    const std::string difference = Difference(a, b);
-    Demand(difference.empty(), "a filter that has run gives what a new one gives, but for",
-      kept.Filter, difference);
-  }
+  vtkPolyData* a = kept.Filter->GetOutput();
+  vtkPolyData* b = fresh.Filter->GetOutput();
+  const std::string saidByKept = Said(ofKept.Errors) + Said(ofKept.Warnings);
+  const std::string saidByFresh = Said(ofFresh.Errors) + Said(ofFresh.Warnings);
+  Demand(saidByKept == saidByFresh, "a filter that has run says what a new one says", kept.Filter,
+    saidByKept + "and not" + saidByFresh);
+  const std::string difference = Difference(a, b);
+  Demand(difference.empty(), "a filter that has run gives what a new one gives, but for",
+    kept.Filter, difference);
   return 0;
 }
