@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What gathering a surface from the processes of MPI costs beside rounding it.
 
-    mpirun -np 4 pvbatch --sym measure_processes.py [--halvings 0 1 2 3 4] [--detail-size 0] [--repeat 5]
+    mpirun -np 4 pvbatch --sym measure_processes.py [--halvings 0 1 2 3 4] [--detail-size 0.06] [--repeat 5]
                                                            [--head-start 0.5]
 
 The creature of Data/ with its edges halved, in slices over the processes; each also has the whole. Times are those that
@@ -69,12 +69,13 @@ def execute(data, mpi, arguments, again=False):
     """Milliseconds of a first execution, or of one after it."""
     style = vtkSphericalStyleFilter()
     style.SetController(mpi)
-    style.SetDetailSize(arguments.detail_size)
+    if arguments.detail_size is not None:
+        style.SetDetailSize(arguments.detail_size)
     style.SetNumberOfThreads(1)
     style.SetInputData(data)
     if again:
         style.Update()
-        style.SetRoundness(0.6)
+        style.SetRoundness(1.2)
     controller.Barrier()
     time.sleep(arguments.head_start if RANK == 0 else 0)  # waiting would be work
     start = time.process_time()
@@ -89,7 +90,7 @@ def memory():
 def main():
     parser = argparse.ArgumentParser(description="What gathering a surface from processes costs.")
     parser.add_argument("--halvings", type=int, nargs="+", default=[0, 1, 2, 3, 4])
-    parser.add_argument("--detail-size", type=float, default=0.0)
+    parser.add_argument("--detail-size", type=float, help="of the filter, by default as there")
     parser.add_argument("--repeat", type=int, default=5)
     parser.add_argument("--head-start", type=float, default=0.5, help="seconds that the others get to send in")
     arguments = parser.parse_args()

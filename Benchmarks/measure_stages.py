@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Where the time of the filters goes.
 
-usage: measure_stages.py [--runs N] [--detail-size S] [--last-result] [--proxy] [MESH.ply or MESH.vtp ...]
+usage: measure_stages.py [--runs N] [--detail-size S] [--uniform] [--proxy] [MESH.ply or MESH.vtp ...]
 
 vtkSphericalStyleFilter: first result, moved centre, changed Roundness. With --proxy
 vtkConvexProxyDeformFilter: first result, another t. Medians of N runs in milliseconds, default
-settings but the detail size and, with --last-result, the start of a change; without a mesh the models of Data/. Run with PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3.
+settings but the detail size and, with --uniform, weights that iterate; without a mesh the models of Data/. Run with
+PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3.
 """
 import argparse
 import glob
@@ -40,13 +41,14 @@ def milliseconds(f):
     return 1e3 * (time.perf_counter() - begin)
 
 
-def one_run(surface, detail_size, last_result):
+def one_run(surface, detail_size, uniform):
     """First, moved centre, changed Roundness, then the stages of the first."""
     f = sphericalstyle.vtkSphericalStyleFilter()
     f.SetInputData(surface)
-    f.SetDetailSize(detail_size)
-    if last_result:
-        f.SetInitialGuessToLastResult()
+    if detail_size is not None:
+        f.SetDetailSize(detail_size)
+    if uniform:
+        f.SetSphericalWeightingToUniform()
     first = milliseconds(f)
     iterations = f.GetNumberOfIterations()
     stages = f.GetOutputDataObject(1).GetFieldData().GetArray("StageSeconds")
@@ -71,8 +73,8 @@ def one_proxy_run(surface):
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--runs", type=int, default=5)
-parser.add_argument("--detail-size", type=float, default=0.0)
-parser.add_argument("--last-result", action="store_true")
+parser.add_argument("--detail-size", type=float, help="of the filter, by default as there")
+parser.add_argument("--uniform", action="store_true", help="uniform weights")
 parser.add_argument("--proxy", action="store_true")
 parser.add_argument("meshes", nargs="*")
 arguments = parser.parse_args()
@@ -84,7 +86,7 @@ if arguments.proxy:
 print(f"{'mesh':20s} {'points':>8s} " + " ".join(f"{h:>12s}" for h in heads))
 for path in arguments.meshes or sorted(glob.glob(os.path.join(DATA, "*.vtp"))):
     surface = read(path)
-    runs = [one_proxy_run(surface) if arguments.proxy else one_run(surface, arguments.detail_size, arguments.last_result)
+    runs = [one_proxy_run(surface) if arguments.proxy else one_run(surface, arguments.detail_size, arguments.uniform)
             for _ in range(arguments.runs)]
     medians = [statistics.median(column) for column in zip(*runs)]
     name = os.path.splitext(os.path.basename(path))[0]

@@ -33,7 +33,7 @@ GAP = 1e-4
 DRAGGING_GAP = 1e-3
 
 # Stages that threads of ours can share; the others are reported all the same.
-STAGES = ["Topology", "Cotangents", "Weights", "Base", "Targets", "PrepareSteps", "Matrix", "Ordering",
+STAGES = ["Topology", "Cotangents", "Weights", "Splat", "Walls", "Base", "Limbs", "Carry", "Targets", "PrepareSteps", "Matrix", "Ordering",
           "Factorization", "Covariances", "Rotations", "LocalStep", "RightHandSide", "Solve",
           "SolveSingle", "Energy", "Iteration", "Solver:default", "Solver:details", "Solver:uniform"]
 
@@ -133,7 +133,7 @@ def growth_table(summary):
 # -------------------------------------------------------------------------------------- dragging
 def drag(options):
     """{points: {variant: record}} on the even family."""
-    variants = {"default": [], "details": ["--detail-size", "0.03"]}
+    variants = {name: compare_peers.METHODS[name][2] for name in ("default", "details")}
     program = os.path.join(options.programs, "Dragging")
     result = {}
     with tempfile.TemporaryDirectory() as folder:
@@ -157,9 +157,10 @@ def dragging_rows(dragged):
             rows.append(row(f"updates a second, {what}, even: {compare_peers.METHODS[name][0]}",
                             [r[f"{what}_updates_per_second"] if usable(r) else None
                              for r in records], DRAGGING, True))
-            rows.append(row(f"largest gap of them, {what}: {compare_peers.METHODS[name][0]}",
-                            [max(r[f"{what}_gaps"]) if usable(r) else None for r in records],
-                            [DRAGGING_GAP] * len(SIZES)))
+            gaps = [max(r[f"{what}_gaps"], default=None) if usable(r) else None for r in records]
+            if any(gap is not None for gap in gaps):  # none in closed form
+                rows.append(row(f"largest gap of them, {what}: {compare_peers.METHODS[name][0]}", gaps,
+                                [DRAGGING_GAP] * len(SIZES)))
     return rows
 
 

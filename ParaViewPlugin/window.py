@@ -10,17 +10,11 @@
 Every function takes the Spherical Style filter to work on; without one, that of the active source: itself, or
 a new one behind it if it is something else.
 """
+import re
+
 from paraview import simple
 
-#: What each preset sets. Center, radius, region and method stay as they are.
-PRESETS = {
-    "Soft": dict(Roundness=0.2),
-    "Toy": dict(Roundness=0.1, NormalBlend=1.0),
-    "Ball": dict(Roundness=5.0, DetailSize=0.03),
-    "Pebble": dict(Roundness=2.0),
-    "Relief": dict(Roundness=0.04, NormalBlend=1.0, ConcaveEdges="Flip"),
-}
-_BASE = dict(DetailSize=0.0, NormalBlend=0.0, ConcaveEdges="Keep", Feature="Linear", ReproduceThesis=0)
+from sphericalstyle import presets
 
 
 def find_style(source=None):
@@ -49,12 +43,13 @@ def _show(style, view):
 
 
 def apply_preset(name, source=None):
-    """Sets what the preset says, executes and shows the result. @param name  of PRESETS @return the filter"""
-    if name not in PRESETS:
-        raise ValueError(f"Spherical Style: there is no preset '{name}', only {', '.join(PRESETS)}")
+    """Sets what the preset says, executes and shows the result.
+    @param name  of sphericalstyle.presets.PRESETS @return the filter"""
+    preset = presets.find(name)
     style = find_style(source)
-    for property_, value in {**_BASE, **PRESETS[name]}.items():
-        style.SetPropertyWithName(property_, value)
+    for property_, value in preset.properties.items():
+        words = re.sub("(?<=[a-z])(?=[A-Z])", " ", value) if isinstance(value, str) else value  # as in the panel
+        style.SetPropertyWithName(property_, words)
     _show(style, _render_view())
     return style
 
@@ -62,12 +57,14 @@ def apply_preset(name, source=None):
 def show_energy_chart(source=None):
     """Energy over the iterations, in a chart beside the active view. @return the chart's view
 
-    A result in closed form has no iterations: the chart is then a point each."""
+    A result in closed form minimises nothing: the chart is then empty, and its title says so."""
     style = find_style(source)
     view = _render_view()
     _show(style, view)
     chart = simple.CreateView("XYChartView")
-    chart.ChartTitle = "Energy"
+    rows = style.GetDataInformation(1).GetNumberOfRows()
+    chart.ChartTitle = "Energy" if rows > 1 else "Energy: no iteration" if rows == 1 else \
+        "No energy: the result is in closed form"
     chart.LeftAxisTitle = "energy (length squared)"
     chart.BottomAxisTitle = "iteration"
     simple.AssignViewToLayout(view=chart, layout=simple.GetLayout(view), hint=0)
@@ -75,7 +72,7 @@ def show_energy_chart(source=None):
     names = ("Total", "Rigid", "Spherical")
     display.UseIndexForXAxis = 0
     display.XArrayName = "Iteration"
-    display.SeriesVisibility = list(names)
+    display.SeriesVisibility = list(names) if rows > 1 else [""]  # VTK's lines of one point are errors
     display.SeriesMarkerStyle = [text for name in names for text in (name, "4")]  # circles
     simple.Render(chart)
     simple.SetActiveView(view)

@@ -5,7 +5,6 @@
 usage: pvpython demo.py MESH OUTPUT_FOLDER [--up x|y|z] [--view DEGREES]
 """
 import argparse
-import csv
 import pathlib
 import sys
 import time
@@ -17,18 +16,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Examples" 
 from model_files import ModelError, place_in, read, rounded, triangle_count, write  # noqa: E402
 from model_pictures import picture  # noqa: E402
 
-ROUNDNESS, DETAIL_SIZE = 0.5, 0.03  # of the main result
-SERIES_ROUNDNESS = [0.0, 0.1, 0.5, 2.0, 5.0]  # columns
-SERIES_DETAIL_SIZE = [0.0, 0.03]  # rows
-
-
-def write_table(path, table):
-    columns = [table.GetColumn(c) for c in range(table.GetNumberOfColumns())]
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        lines = csv.writer(file)
-        lines.writerow([column.GetName() for column in columns])
-        for row in range(table.GetNumberOfRows()):
-            lines.writerow([column.GetValue(row) for column in columns])
+SERIES_ROUNDNESS = [0.0, 0.3, 1.0, 2.0, 5.0]  # columns
+SERIES_NORMAL_BLEND = {0.0: "one ball", 0.6: "body and limbs", 1.0: "every limb"}  # rows
 
 
 def demo(arguments):
@@ -37,30 +26,27 @@ def demo(arguments):
     folder.mkdir(parents=True, exist_ok=True)
 
     start = time.perf_counter()
-    style = rounded(surface, Roundness=ROUNDNESS, DetailSize=DETAIL_SIZE)
+    style = rounded(surface)  # as it comes
     seconds = time.perf_counter() - start
     result = style.GetOutput()
     print(f"{arguments.mesh.name}: {surface.GetNumberOfPoints()} points, "
-          f"{triangle_count(surface)} triangles, rounded in {seconds:.2f} s, "
-          f"{style.GetNumberOfIterations()} iterations")
+          f"{triangle_count(surface)} triangles, rounded in {seconds:.2f} s")
 
-    series = []
-    for detail_size in SERIES_DETAIL_SIZE:
-        kept = f"details kept ({detail_size:g})" if detail_size else "details not kept"
-        series.append([(rounded(surface, Roundness=roundness, DetailSize=detail_size).GetOutput(),
-                        f"Roundness {roundness:g}, {kept}") for roundness in SERIES_ROUNDNESS])
+    series = [[(rounded(surface, Roundness=roundness, NormalBlend=blend).GetOutput(),
+                f"Roundness {roundness:g}, {becomes} ({blend:g})") for roundness in SERIES_ROUNDNESS]
+              for blend, becomes in SERIES_NORMAL_BLEND.items()]
 
     files = {
         kind: place_in(folder, f"{arguments.mesh.stem}-{kind}")
-        for kind in ("rounded.vtp", "rounded.ply", "energy.csv", "before-after.png", "series.png")
+        for kind in ("rounded.vtp", "rounded.ply", "before-after.png", "series.png")
     }
     write(vtkXMLPolyDataWriter(), files["rounded.vtp"], result)
     write(vtkPLYWriter(), files["rounded.ply"], result)
-    write_table(files["energy.csv"], style.GetOutputDataObject(1))
     before_after = [[(surface, "before"),
-                     (result, f"after: Roundness {ROUNDNESS:g}, DetailSize {DETAIL_SIZE:g}")]]
+                     (result, f"after: Roundness {style.GetRoundness():g}, NormalBlend {style.GetNormalBlend():g}, "
+                              f"DetailSize {style.GetDetailSize():g}")]]
     picture(files["before-after.png"], (1600, 900), before_after, arguments.up, arguments.view, 26)
-    picture(files["series.png"], (2000, 900), series, arguments.up, arguments.view, 18)
+    picture(files["series.png"], (2000, 1350), series, arguments.up, arguments.view, 18)
     for file in files.values():
         print(f"  {file}")
 

@@ -5,7 +5,7 @@
 # usage: Utilities/demo.sh [MESH] [--up x|y|z] [--view DEGREES]
 #
 # Installs what is missing, builds, and rounds MESH (ply, stl, obj, vtk or vtp; default: the model
-# Data/creature.vtp). Mesh, energy table and pictures go to demo-output/ of the project.
+# Data/creature.vtp). Mesh and pictures go to demo-output/ of the project.
 #   --up    axis of the model that points up (default y)
 #   --view  where the camera stands, degrees around that axis (default 25)
 # VERBOSE=1 shows everything.

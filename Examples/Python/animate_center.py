@@ -3,7 +3,8 @@
 """Move the center through a model, there and back, and make a movie of what becomes of the model.
 
     python3 animate_center.py MODEL OUTPUT [--axis x|y|z] [--travel 0.2 0.8] [--frames 48] [--rate 24]
-                                           [--roundness 2] [--normal-blend 0] [--up y] [--view 25]
+                                           [--roundness 2] [--normal-blend 0] [--detail-size 0.06]
+                                           [--up y] [--view 25]
 
 Also for pvpython. The ending of OUTPUT says what it is: .ogv (Ogg Theora), .avi (Motion JPEG), without
 an ending a folder of pictures 0000.png, 0001.png, ... The center runs along the axis through the middle of
@@ -37,7 +38,9 @@ def parse():
     parser.add_argument("--frames", type=int, default=48)
     parser.add_argument("--rate", type=int, default=24, help="frames per second")
     parser.add_argument("--roundness", type=float, default=2.0)
-    parser.add_argument("--normal-blend", type=float, default=0.0)
+    parser.add_argument("--normal-blend", type=float, default=0.0,
+                        help="0, the default here: all goes away from the center; at 1 the center does nothing")
+    parser.add_argument("--detail-size", type=float, help="of the filter, by default as there")
     parser.add_argument("--up", choices="xyz", default="y", help="axis of the model that points up")
     parser.add_argument("--view", type=float, default=25.0,
                         help="where the camera stands, degrees around that axis from the front")
@@ -110,7 +113,8 @@ def main():
     axis = "xyz".index(arguments.axis)
     path = arguments.output
     output = Movie(path, arguments.rate) if path.suffix else Pictures(path)
-    style = rounded(surface, Roundness=arguments.roundness, NormalBlend=arguments.normal_blend)
+    style = rounded(surface, Roundness=arguments.roundness, NormalBlend=arguments.normal_blend,
+                    DetailSize=arguments.detail_size)
     messages = Messages(style)
     style.SetCenterModeToCustom()
     for center in centers(surface.GetBounds(), axis, arguments.travel, arguments.frames):

@@ -125,22 +125,29 @@ def read(path):
 
 
 def rounded(surface, **properties):
-    """The executed vtkSphericalStyleFilter; port 0 has the surface, port 1 the energies.
-    properties: by their names, such as Roundness=0.5."""
+    """The executed vtkSphericalStyleFilter; port 0 has the surface.
+    properties: by their names, such as Roundness=0.5; None is the filter's default."""
     style = vtkSphericalStyleFilter()
     style.SetController(None)  # the surface is this process' own, also with MPI
     messages = Messages(style)
     style.SetInputData(surface)
     for name, value in properties.items():
+        if value is None:
+            continue
         getattr(style, "Set" + name)(value)
         taken = getattr(style, "Get" + name)()
         if value > taken or value < taken:  # NaN is the filter's to refuse
             raise ModelError(f"{name} cannot be {value:g}; the nearest that can be is {taken:g}")
     style.Update()
     messages.raise_errors("The filter failed:")
-    if style.GetOutput().GetNumberOfPoints() != surface.GetNumberOfPoints():
+    if style.GetOutput().GetNumberOfPoints() < surface.GetNumberOfPoints():  # more where long edges were split
         raise ModelError("The filter gave no result and no reason.")
     return style
+
+
+def largest_move(surface):
+    """How far a point of the filter's output is from where it was, at most."""
+    return surface.GetPointData().GetArray("Displacement").GetRange(-1)[1]
 
 
 def write(writer, path, data):

@@ -30,8 +30,7 @@ def one_by_one(surface, name, numbers):
     """Part after part, each with the mean of its points as the center."""
     for number in reversed(numbers):
         mask = Calculator(Input=surface, ResultArrayName="Part", Function=f"{name} == {number}")
-        surface = SphericalStyle(Input=mask, RegionArray=["POINTS", "Part"], BorderWidth=0.0,
-                                 Roundness=arguments.roundness)
+        surface = SphericalStyle(Input=mask, RegionArray=["POINTS", "Part"], BorderWidth=0.0, **BALL)
     return surface
 
 
@@ -41,11 +40,11 @@ parser.add_argument("--roundness", type=float, default=5.0)
 arguments = parse(parser)
 load_plugin(arguments.plugin, "SphericalStyle", globals())
 
+BALL = dict(Roundness=arguments.roundness, NormalBlend=0.0)  # away from the center, not along the normals
 model = open_model(arguments.model)
 numbers = part_numbers(model, arguments.array)
-whole = SphericalStyle(Input=model, Roundness=arguments.roundness)
-at_once = SphericalStyle(Input=model, Roundness=arguments.roundness,
-                         CenterIdArray=["POINTS", arguments.array])
+whole = SphericalStyle(Input=model, **BALL)
+at_once = SphericalStyle(Input=model, CenterIdArray=["POINTS", arguments.array], **BALL)
 in_turn = one_by_one(model, arguments.array, numbers)
 save_result(f"{arguments.output}-at-once.vtp", at_once)
 save_result(f"{arguments.output}-one-by-one.vtp", in_turn)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Round all models of a folder, several at a time.
 
-    python3 round_folder.py MODELS OUTPUT [--roundness 0.5] [--detail-size 0] [--normal-blend 0]
+    python3 round_folder.py MODELS OUTPUT [--roundness 1] [--detail-size 0.06] [--normal-blend 0.6]
                                           [--processes N] [--recursive]
 
 Also for pvpython; and for mpirun -np N pvbatch --sym, on several machines: each process of MPI takes its share of
@@ -22,19 +22,18 @@ import time
 
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from model_files import READERS, ModelError, place_in, printable, read, rounded, whole, write
+from model_files import READERS, ModelError, largest_move, place_in, printable, read, rounded, whole, write
 from mpi_processes import Processes
 
-COLUMNS = ["model", "points", "iterations", "energy", "seconds", "result"]
+COLUMNS = ["model", "points", "new points", "largest move", "seconds", "result"]
 
 
 def parse(default_processes):
     parser = argparse.ArgumentParser(description="Round all models of a folder.")
     parser.add_argument("models", type=pathlib.Path)
     parser.add_argument("output", type=pathlib.Path)
-    parser.add_argument("--roundness", type=float, default=0.5)
-    parser.add_argument("--detail-size", type=float, default=0.0)
-    parser.add_argument("--normal-blend", type=float, default=0.0)
+    for name in ("--roundness", "--detail-size", "--normal-blend"):
+        parser.add_argument(name, type=float, help="of the filter, by default as there")
     parser.add_argument("--processes", type=int, default=default_processes,
                         help="how many models at a time (default: as many as processors; with MPI 1 for each process)")
     parser.add_argument("--recursive", action="store_true", help="folders below MODELS too")
@@ -65,8 +64,9 @@ def round_one(model, arguments):
                     NormalBlend=arguments.normal_blend)
     with whole(place) as part:
         write(vtkXMLPolyDataWriter(), part, style.GetOutput())
-    return {"points": surface.GetNumberOfPoints(), "iterations": style.GetNumberOfIterations(),
-            "energy": f"{style.GetFinalEnergy():.6g}",
+    added = style.GetOutput().GetNumberOfPoints() - surface.GetNumberOfPoints()
+    return {"points": surface.GetNumberOfPoints(), "new points": added,
+            "largest move": f"{largest_move(style.GetOutput()):.4g}",
             "seconds": f"{time.perf_counter() - start:.2f}", "result": "rounded"}
 
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Round a model with the ParaView plugin, several times, and show the results in a row.
 
-    pvpython round_model.py MODEL [--roundness 0.1 0.5 2] [--detail-size 0.03]
+    pvpython round_model.py MODEL [--roundness 0.3 1 3] [--normal-blend 0.6] [--detail-size 0.06]
                                   [--output NAME] [--plugin SphericalStyle.so]
 
 Writes NAME-<roundness>.vtp for each roundness and the picture NAME.png. Without --plugin ParaView has to find the
@@ -16,22 +16,21 @@ from paraview.simple import *
 from paraview_examples import end, load_plugin, open_model, parse, parser_for, save_result, save_row
 
 parser = parser_for("Round a model with the ParaView plugin.", "rounded")
-parser.add_argument("--roundness", type=float, nargs="+", default=[0.1, 0.5, 2.0])
-parser.add_argument("--detail-size", type=float, default=0.0)
+parser.add_argument("--roundness", type=float, nargs="+", default=[0.3, 1.0, 3.0])
+parser.add_argument("--normal-blend", type=float, default=0.6, help="0: one ball, 1: every limb by its own thickness")
+parser.add_argument("--detail-size", type=float, default=0.06, help="details up to this size keep their form")
 arguments = parse(parser)
 load_plugin(arguments.plugin, "SphericalStyle", globals())
 
 model = open_model(arguments.model)
 row = [model]
 for roundness in arguments.roundness:
-    style = SphericalStyle(Input=model, Roundness=roundness, DetailSize=arguments.detail_size)
+    style = SphericalStyle(Input=model, Roundness=roundness, NormalBlend=arguments.normal_blend,
+                           DetailSize=arguments.detail_size)
     save_result(f"{arguments.output}-{roundness:g}.vtp", style)
-    energies = servermanager.Fetch(style, idx=1)  # output port 1, one row per iteration
-    last = energies.GetNumberOfRows() - 1
-    if last < 0:
+    if servermanager.Fetch(style, idx=2).GetNumberOfPoints() == 0:  # output port 2, the target sphere
         sys.exit(f"{arguments.model}: there is nothing to round in it")
-    print(f"Roundness {roundness:g}: {last} iterations,"
-          f" energy {energies.GetValueByName(last, 'Total').ToDouble():.4g}")
+    print(f"Roundness {roundness:g}: points moved by up to {style.PointData['Displacement'].GetRange(-1)[1]:.4g}")
     row.append(style)
 
 # ParaView leaves room for turning the row upright: the zoom takes it away.

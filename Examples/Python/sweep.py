@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Round a model with several values of Roundness (lambda) and NormalBlend (a), on one sheet.
 
-    python3 sweep.py MODEL [--roundness 0 0.1 0.5 2 5] [--normal-blend 0 0.5 1] [--detail-size 0]
+    python3 sweep.py MODEL [--roundness 0 0.3 1 2 5] [--normal-blend 0 0.6 1] [--detail-size 0.06]
                            [--output sweep.png] [--up y] [--view 25]
 
 Also for pvpython. A column for each roundness, a row for each blend.
@@ -11,7 +11,7 @@ import argparse
 import pathlib
 import sys
 
-from model_files import ModelError, read, rounded
+from model_files import ModelError, largest_move, read, rounded
 from model_pictures import picture
 
 PANEL = (320, 300)  # pixels
@@ -20,9 +20,9 @@ PANEL = (320, 300)  # pixels
 def parse():
     parser = argparse.ArgumentParser(description="Round a model in many ways, on one sheet.")
     parser.add_argument("model", type=pathlib.Path)
-    parser.add_argument("--roundness", type=float, nargs="+", default=[0.0, 0.1, 0.5, 2.0, 5.0])
-    parser.add_argument("--normal-blend", type=float, nargs="+", default=[0.0, 0.5, 1.0])
-    parser.add_argument("--detail-size", type=float, default=0.0)
+    parser.add_argument("--roundness", type=float, nargs="+", default=[0.0, 0.3, 1.0, 2.0, 5.0])
+    parser.add_argument("--normal-blend", type=float, nargs="+", default=[0.0, 0.6, 1.0])
+    parser.add_argument("--detail-size", type=float, help="of the filter, by default as there")
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("sweep.png"))
     parser.add_argument("--up", choices="xyz", default="y", help="axis of the model that points up")
     parser.add_argument("--view", type=float, default=25.0,
@@ -42,7 +42,8 @@ def main():
         for roundness in arguments.roundness:
             style = rounded(surface, Roundness=roundness, NormalBlend=blend,
                             DetailSize=arguments.detail_size)
-            print(f"Roundness {roundness:g}, NormalBlend {blend:g}: energy {style.GetFinalEnergy():.4g}")
+            print(f"Roundness {roundness:g}, NormalBlend {blend:g}: points moved by up to "
+                  f"{largest_move(style.GetOutput()):.4g}")
             sheet[-1].append((style.GetOutput(), f"Roundness {roundness:g}, NormalBlend {blend:g}"))
     size = (PANEL[0] * len(arguments.roundness), PANEL[1] * len(arguments.normal_blend))
     picture(arguments.output, size, sheet, arguments.up, arguments.view, 13)

@@ -9,6 +9,14 @@ import models
 import sphericalstyle
 from surfaces import columns
 
+# What the experiments rely on, whatever the filters have by default: weights and center of the thesis, the pull toward
+# one ball as large as the model, no details kept, nothing split and nothing scaled.
+SETTINGS = {
+    "vtkSphericalStyleFilter": {
+        "Roundness": 0.5, "NormalBlend": 0.0, "NormalRadius": 1, "DetailSize": 0.0, "SphericalWeighting": 0,
+        "CenterMode": 0, "KeepSize": 0, "RefineLongEdges": 0, "OutputPointsPrecision": 1},
+    "vtkConvexProxyDeformFilter": {"RefineLongEdges": 0},
+}
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -66,17 +74,15 @@ class Context:
             algorithm.SetInputData(port, data)
         for index, (association, array) in (arrays or {}).items():
             algorithm.SetInputArrayToProcess(index, 0, 0, association, array)
-        for key, value in properties.items():
+        for key, value in {**SETTINGS.get(name, {}), **properties}.items():
             getattr(algorithm, f"Set{key}")(value)
         algorithm.Update()
         messages.raise_errors(f"{name} failed:")
         return algorithm
 
     def style(self, surface, others=None, arrays=None, **properties):
-        """The executed vtkSphericalStyleFilter: weights and center of the thesis, double precision."""
-        return self.run("vtkSphericalStyleFilter", surface, others, arrays,
-                        **{"OutputPointsPrecision": 1, "SphericalWeighting": 0, "CenterMode": 0,
-                           **properties})
+        """The executed vtkSphericalStyleFilter."""
+        return self.run("vtkSphericalStyleFilter", surface, others, arrays, **properties)
 
     def thesis(self, surface, **properties):
         """The same to the letter of the thesis."""

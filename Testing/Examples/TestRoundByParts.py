@@ -19,7 +19,7 @@ def unevenness(shape, number):
     return distance.std() / distance.mean()
 
 
-whole = rounded_points(model, Roundness=5.0)
+whole = rounded_points(model, Roundness=5.0, NormalBlend=0.0)
 for way in ("at-once", "one-by-one"):
     rounded = points(output / f"parts-{way}.vtp")
     assert rounded.shape == points(model).shape, way

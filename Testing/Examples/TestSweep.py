@@ -11,7 +11,7 @@ WIDTH, HEIGHT, LABEL = 320, 300, 40  # of a panel, and of the label at its foot
 
 sheet = output / "sheet.png"
 text = run_well("sweep.py", data / "creature.vtp", "--roundness", 0, 0.5, 5, "--normal-blend", 0, 1,
-                "--output", sheet)
+                "--detail-size", 0, "--output", sheet)
 assert text.count("Roundness") == 6, text
 image = pixels(sheet)
 assert image.shape == (2 * HEIGHT, 3 * WIDTH, 3), image.shape
@@ -35,7 +35,8 @@ assert np.array_equal(panel(0, 0), panel(1, 0))  # without roundness the blend d
 values = [[roundness(panel(row, column)) for column in range(3)] for row in range(2)]
 for row in values:
     assert 0.3 < row[0] < row[1] < row[2] <= 1.01, values
-assert values[0][2] > 0.75 and values[1][2] > 0.85, values
+assert values[0][2] > 0.85 and values[1][2] > 0.8, values
+assert values[0][2] > values[1][2], values  # one ball is rounder than round limbs
 assert not np.array_equal(panel(0, 1), panel(1, 1))
 
 done = run("sweep.py", output / "nowhere.ply")

@@ -90,11 +90,14 @@ class Programs(unittest.TestCase):
         self.assertEqual(report_goals.stage_table(stages).count("\n| "), len(report_goals.STAGES) + 1)
 
     def test_dragging(self):
-        r = run("Dragging", self.meshes["even", SMALL], "--detail-size", "0.03", "--updates", "4",
-                "--reference-every", "2")
+        for arguments, gaps in ((["--detail-size", "0.03"], 0), (["--weighting", "uniform"], 2)):
+            self.drag(arguments, gaps)
+
+    def drag(self, arguments, gaps):
+        r = run("Dragging", self.meshes["even", SMALL], *arguments, "--updates", "4", "--reference-every", "2")
         for what in ("center", "roundness"):
             self.assertGreater(r[f"{what}_updates_per_second"], 0.0)
-            self.assertEqual(len(r[f"{what}_gaps"]), 2)
+            self.assertEqual(len(r[f"{what}_gaps"]), gaps)
             for gap in r[f"{what}_gaps"]:
                 self.assertTrue(0.0 <= gap < 1e-3, gap)
 

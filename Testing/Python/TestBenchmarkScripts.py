@@ -112,10 +112,11 @@ class Goals(unittest.TestCase):
     def test_iterations_that_never_reach_the_gap_miss(self):
         summary = compare_peers.summarize([
             record("uniform", 35000, 1.0, gap=1e-3, **{"iterations_to_1e-4": None}),
-            record("details", 35000, 1.0, gap=1e-5, **{"iterations_to_1e-4": 4})])
+            record("uniform", 35000, 1.0, family="slivers", gap=1e-5, **{"iterations_to_1e-4": 4})])
         rows = {row[0]: row[1] for row in report_goals.memory_and_iterations(summary)}
         self.assertEqual(rows["iterations to 1e-4, even: ours, uniform weights"], "inf of 5: missed")
-        self.assertEqual(rows["iterations to 1e-4, even: ours, DetailSize 0.03"], "4 of 5: reached")
+        self.assertEqual(rows["iterations to 1e-4, slivers: ours, uniform weights"], "4 of 25: reached")
+        self.assertFalse([name for name in rows if "iterations" in name and "DetailSize" in name])  # it has none
 
     def test_stages_with_other_bits_are_told(self):
         stage = {"real_time": 4.0, "s_per_point": 1e-8, "bytes": 5e9}

@@ -22,9 +22,10 @@ RUNS = {
     "Spherical Style": ("SphericalStyle", {"Roundness": 1.0, "SphericalWeighting": "Uniform", "GenerateCellEnergy": 1,
                                            "GenerateRotation": 1}),
     "details kept": ("SphericalStyle", {"Roundness": 1.0, "DetailSize": 0.03, "CenterMode": "Custom",
-                                        "Center": [0.0, 0.6, 0.1], "InitialGuess": "Blend"}),
-    "blown up": ("SphericalStyle", {"Roundness": 5.0, "NormalBlend": 1.0}),
-    "long edges split": ("SphericalStyle", {"RefineLongEdges": 1, "MaximumEdgeLength": 0.02}),
+                                        "Center": [0.0, 0.6, 0.1], "KeepOnGround": 1}),
+    "blown up": ("SphericalStyle", {"Roundness": 5.0, "NormalBlend": 1.0, "NormalRadius": "Whole Model",
+                                    "DetailSize": 0.0, "KeepSize": "Off"}),
+    "long edges split": ("SphericalStyle", {"RefineLongEdges": "On", "MaximumEdgeLength": 0.02}),
     "Convex Proxy Deform": ("ConvexProxyDeform", {"Blend": 0.3, "NumberOfProxyPoints": 500}),
     "Cubic Style": ("CubicStyle", {"MaximumNumberOfIterations": 30, "StopRule": "Fixed Iterations"}),
     "Normal Analogy": ("NormalAnalogy", {}),
@@ -48,7 +49,7 @@ def contents(data):
         for k in range(arrays.GetNumberOfArrays() if arrays else 0):
             array = arrays.GetAbstractArray(k)
             name = f"{association}/{array.GetName()}"
-            if "Seconds" in name:
+            if "Seconds" in name or array.GetNumberOfTuples() == 0:  # a table without rows comes without columns
                 continue
             if hasattr(array, "GetTuple1"):
                 found[name] = vtk_to_numpy(array).copy()
@@ -90,8 +91,7 @@ def rounded_points(spread):
         processes = ProcessIdScalars(Input=model)
         UpdatePipeline(proxy=processes)
         assert processes.PointData.GetArray("ProcessId").GetRange() == (0.0, PROCESSES - 1.0)
-    style = SphericalStyle(Input=model, Roundness=1.0, DetailSize=0.03, InitialGuess="Blend",
-                           OutputPointsPrecision="Double")
+    style = SphericalStyle(Input=model, SphericalWeighting="Uniform", OutputPointsPrecision="Double")
     UpdatePipeline(proxy=style)
     found = contents(servermanager.Fetch(style))
     points = np.full((found["PointData/PointIds"].max() + 1, 3), np.nan)
@@ -128,4 +128,4 @@ points, told = rounded_points(spread=PROCESSES > 1)
 largest = np.abs(points - built_in_points).max() / np.ptp(built_in_points)  # NaN if a point is missing
 print(f"one surface on {PROCESSES} processes: largest difference of points {largest:.2g} of the size")
 assert largest <= (0.0 if PROCESSES == 1 else 1e-9), largest
-assert told["NumberOfIterations"] == told_built_in["NumberOfIterations"]
+assert told["NumberOfIterations"] == told_built_in["NumberOfIterations"] != "0"

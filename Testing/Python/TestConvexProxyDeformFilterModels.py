@@ -18,7 +18,7 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource
 from sphericalstyle import vtkConvexProxyDeformFilter, vtkSphericalStyleFilter
 
 import ModelTesting
-from ModelTesting import check, main
+from ModelTesting import ENERGY, check, main
 
 MESHERS = ("IsotropicRemeshing", "BallPivoting", "AdvancingFront", "SubdividedHull")
 
@@ -54,7 +54,8 @@ def run(filter_class, surface, **properties):
 
 
 def proxy_deform(surface, **properties):
-    return run(vtkConvexProxyDeformFilter, surface, **properties)
+    """Of the points that the model has, so that they can be held against it."""
+    return run(vtkConvexProxyDeformFilter, surface, **{"RefineLongEdges": 0, **properties})
 
 
 def points(surface):
@@ -184,7 +185,8 @@ def direct_of_spread(surface, F, wanted, **properties):
     low, high = 0.01, 50.0
     for _ in range(20):
         middle = np.sqrt(low * high)
-        q = points(run(vtkSphericalStyleFilter, surface, Roundness=middle, **properties).GetOutput())
+        q = points(run(vtkSphericalStyleFilter, surface,
+                       **{**ENERGY, "SphericalWeighting": 1, "Roundness": middle, **properties}).GetOutput())
         low, high = (middle, high) if spread(q, F) > wanted else (low, middle)
     return q, middle
 

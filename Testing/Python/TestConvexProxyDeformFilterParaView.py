@@ -44,7 +44,7 @@ model = XMLPolyDataReader(FileName=[data + "/car.vtp"])
 UpdatePipeline(proxy=model)
 all_of_it = ConvexProxyDeform(Input=model, NumberOfProxyPoints=500, Blend=0.3)
 roof = ConvexProxyDeform(Input=model, NumberOfProxyPoints=500, BlendFunction="Tanh",
-                         BlendAtStart=1.0, BlendAtEnd=0.0, Transfer="Offset")
+                         BlendAtStart=1.0, BlendAtEnd=0.0, Transfer="Offset", RefineLongEdges="Off")
 view = CreateRenderView(ViewSize=[800, 240], UseColorPaletteForBackground=0,
                         Background=[1.0, 1.0, 1.0], OrientationAxesVisibility=0)
 for place, output, color in (

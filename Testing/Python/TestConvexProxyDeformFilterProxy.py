@@ -73,6 +73,7 @@ assert plain.Projection == "Closest Point" and plain.Transfer == "Blend"
 assert plain.ProxyMesher == "Isotropic Remeshing" and plain.NumberOfProxyPoints == 5000
 assert plain.SphericalWeighting == "Cotangent" and plain.OutputPointsPrecision == "Default"
 assert list(plain.AxisGain) == [1, 1, 1] and plain.BorderWidth == 0.2 and plain.HullOf == "Region"
+assert plain.RefineLongEdges == "Automatic"
 assert plain.Proxy is None and plain.Selection is None
 for array in (plain.NormalsArray, plain.DirectionsArray, plain.BlendArray, plain.RegionArray):
     assert list(array) == ["POINTS", "None"], list(array)

@@ -17,9 +17,6 @@ import sphericalstyle
 
 VTK_INT_MAX = 2**31 - 1
 
-# Defaults that are another in the window, where results follow each other quickly, on purpose.
-FOR_THE_WINDOW = {("vtkSphericalStyleFilter", "InitialGuess"): [2]}
-
 # What the class does not tell. known, enumerations: some properties that it certainly has, for
 # without them the comparisons would hold of nothing; inputs, outputs and arrays in the order of their numbers.
 FILTERS = {
@@ -49,8 +46,9 @@ FILTERS = {
     },
     "SphericalStyleFilter": {
         "label": "Spherical Style",
-        "known": {"Roundness", "Center", "GenerateRotation", "StopRule"},
-        "enumerations": {"CenterMode", "OutputPointsPrecision", "StopRule"},
+        "known": {"Roundness", "Center", "GenerateRotation", "KeepOnGround", "StopRule"},
+        "enumerations": {"CenterMode", "KeepSize", "NormalRadius", "OutputPointsPrecision", "RefineLongEdges",
+                         "StopRule", "UpAxis"},
         "inputs": ["Input", "Centers", "Selection"],
         "outputs": ["Rounded", "Energy", "Target Sphere"],
         "arrays": ["NormalsArray", "RoundnessFactorArray", "NormalBlendArray",
@@ -59,7 +57,7 @@ FILTERS = {
     "ConvexProxyDeformFilter": {
         "label": "Convex Proxy Deform",
         "known": {"BlendFunction", "Center", "GenerateNormals", "NumberOfProxyPoints"},
-        "enumerations": {"CenterMode", "OutputPointsPrecision", "BlendFunction"},
+        "enumerations": {"CenterMode", "OutputPointsPrecision", "BlendFunction", "RefineLongEdges"},
         "inputs": ["Input", "Proxy", "Selection"],
         "outputs": ["Deformed", "Proxy", "Projection Lines"],
         "arrays": ["NormalsArray", "DirectionsArray", "BlendArray", "RegionArray"],
@@ -92,7 +90,7 @@ FILTERS = {
 # Not clamped in C++ (a bad value is an error that names it): range of the panel.
 UNCLAMPED = {"Roundness": (0.0, 50.0), "Cubeness": (0.0, 10.0), "Weight": (0.0, 10.0),
              "Radius": (0.0, None), "TanhSteepness": (0.1, 10.0), "AxisGain": (0.0, None),
-             "OftenThreshold": (0.0, None), "TimeBudget": (0.0, None)}
+             "OftenThreshold": (0.0, None)}
 # The one enumeration without a setter for each entry: it is VTK's.
 PRECISIONS = ["Single", "Double", "Default"]
 
@@ -150,8 +148,7 @@ def check_settable(name, element):
     value = getattr(Filter(), "Get" + name)()
     value = list(value) if isinstance(value, tuple) else [value]
     xml_value = numbers(element.get("default_values"))
-    wanted = FOR_THE_WINDOW.get((Filter.__name__, name), value)
-    check(xml_value == wanted, f"{name}: default {xml_value} in XML, {value} in C++")
+    check(xml_value == value, f"{name}: default {xml_value} in XML, {value} in C++")
     check(int(element.get("number_of_elements")) == len(value), f"{name}: number_of_elements")
 
     low, high = range_of(element)
@@ -198,7 +195,7 @@ def check_input(port, name, element):
 
 def check_decorator(name, decorator):
     """One that names what is not there hides the property for good, without a word."""
-    if decorator.get("type") in ("FitToPanel", "UpdateWhileDragging"):
+    if decorator.get("type") in ("FitToPanel", "PanelLabel", "UpdateWhileDragging"):
         return  # of no other property
     if decorator.get("type") == "CompositeDecorator":
         return  # those in it are looked at one by one

@@ -15,7 +15,7 @@ from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 
 from sphericalstyle import vtkGaussMapFilter, vtkSphericalStyleFilter
 
-from ModelTesting import check, main, read
+from ModelTesting import ENERGY, check, main, read
 
 # Chin to brow of nefertiti, in front of the ears; y is up, the face looks along z.
 FACE = (-np.inf, np.inf, -108.0, 75.0, 70.0, np.inf)
@@ -46,9 +46,9 @@ def part(surface, bounds):
 def rounded(surface, roundness):
     style = vtkSphericalStyleFilter()
     style.SetInputData(surface)
-    style.SetRoundness(roundness)
-    style.SetSphericalWeightingToUniform()  # weights and center of the thesis
-    style.SetCenterModeToPointMean()
+    for name, value in {**ENERGY, "Roundness": roundness}.items():
+        getattr(style, "Set" + name)(value)
+    style.SetCenterModeToPointMean()  # of the thesis
     style.SetOutputPointsPrecision(1)
     style.Update()
     return style.GetOutput()

@@ -57,7 +57,7 @@ assert math.isclose(cells.GetArray("Density").GetTuple1(0), cells.GetArray("Area
 
 # ---------- the picture: equal-angle and equal-area units of the creature, the same rounded, a cube
 creature = XMLPolyDataReader(FileName=[data + "/creature.vtp"])
-rounded = SphericalStyle(Input=creature, Roundness=2.0)
+rounded = SphericalStyle(Input=creature, Roundness=2.0, NormalBlend=0.0, DetailSize=0.0)
 view = CreateRenderView(ViewSize=[800, 220], UseColorPaletteForBackground=0,
                         Background=[1.0, 1.0, 1.0], OrientationAxesVisibility=0)
 for place, source in enumerate((

@@ -11,7 +11,7 @@ import sys
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import sphericalstyle
-from sphericalstyle import vtkSphericalStyleFilter
+from sphericalstyle import presets, vtkSphericalStyleFilter
 
 assert sphericalstyle.__version__ == sys.argv[1], sphericalstyle.__version__
 if len(sys.argv) > 2:
@@ -47,4 +47,28 @@ assert elongation(ellipsoid) > 1.9, elongation(ellipsoid)
 assert 1.0 < elongation(output) < 1.6, elongation(output)
 assert output.GetPointData().HasArray("Displacement")
 assert rounded.GetConverged() and rounded.GetNumberOfIterations() == 0  # a closed form
-assert table.GetNumberOfRows() == rounded.GetNumberOfIterations() + 1, table.GetNumberOfRows()
+assert table.GetNumberOfRows() == 0, table.GetNumberOfRows()
+rounded.SetSphericalWeightingToUniform()
+rounded.Update()
+assert rounded.GetConverged() and table.GetNumberOfRows() == rounded.GetNumberOfIterations() + 1 > 1
+
+# The presets: all say the same properties, in words that the class knows, and give shapes of their own.
+shapes = set()
+for name, preset in presets.PRESETS.items():
+    assert set(preset.properties) == set(presets.PRESETS["Toy"].properties), name
+    assert preset.description and "\n" not in preset.description, name
+    style = vtkSphericalStyleFilter()
+    style.SetInputData(ellipsoid)
+    style.SetReproduceThesis(True)
+    presets.apply(style, name)
+    for property_ in ("Roundness", "NormalBlend", "DetailSize"):
+        assert getattr(style, "Get" + property_)() == preset.properties[property_], (name, property_)
+    assert not style.GetReproduceThesis()
+    style.Update()
+    shapes.add(style.GetOutput().GetBounds())
+assert len(shapes) == len(presets.PRESETS), shapes
+try:
+    presets.apply(rounded, "Cube")
+    raise SystemExit("there is no such preset")
+except ValueError as error:
+    assert "'Cube'" in str(error) and "Pebble" in str(error), error

@@ -6,16 +6,17 @@ usage: pvpython TestMacros.py MACROS MODEL
 PV_PLUGIN_PATH has to name the folder of the plugin.
 """
 import os
+import re
 import sys
 
 import ProxyTesting
 from paraview.simple import *
 
-from sphericalstyle import window
+from sphericalstyle import presets, window
 
 macros, model_file = sys.argv[1:]
 names = {name[len("Spherical Style "):-len(".py")] for name in os.listdir(macros)}
-assert names == set(window.PRESETS) | {"Energy Chart", "Before and After"}, names
+assert names == set(presets.PRESETS) | {"Energy Chart", "Before and After"}, names
 
 
 def run(name):
@@ -42,16 +43,17 @@ style = GetActiveSource()
 assert style.GetXMLName() == "SphericalStyleFilter" and style.Input == model
 assert GetRepresentation(style, view).Visibility == 1 and GetRepresentation(model, view).Visibility == 0
 shapes = set()
-for name, values in window.PRESETS.items():
+for name, preset in presets.PRESETS.items():
     style.Center, style.ReproduceThesis, style.Feature = [0.1, 0.2, 0.3], 1, "Nonlinear"
+    style.SphericalWeighting = "Uniform"
     run(name)
     assert len(GetSources()) == 2 and GetActiveSource() == style  # the same filter, set anew
-    for property_ in ("Roundness", "DetailSize", "NormalBlend"):
-        assert style.GetPropertyValue(property_) == values.get(property_, 0.0), (name, property_)
-    assert style.ConcaveEdges == values.get("ConcaveEdges", "Keep"), name
+    for property_, value in preset.properties.items():
+        words = re.sub("(?<=[a-z])(?=[A-Z])", " ", value) if isinstance(value, str) else value
+        assert getattr(style, property_) == words, (name, property_, getattr(style, property_))
     assert style.Feature == "Linear" and not style.ReproduceThesis and list(style.Center) == [0.1, 0.2, 0.3]
     shapes.add(ProxyTesting.bounds(style))
-assert len(shapes) == len(window.PRESETS)
+assert len(shapes) == len(presets.PRESETS)
 try:
     window.apply_preset("Cube")
     raise SystemExit("there is no such preset")
@@ -59,9 +61,15 @@ except ValueError as error:
     assert "'Cube'" in str(error) and "Pebble" in str(error), error
 
 # ------------------------------------------------------------------------------------ energy chart
+window.apply_preset("Toy")
+run("Energy Chart")  # nothing in it, and it says why
+chart, = (v for v in GetViews() if v.GetXMLName() == "XYChartView")
+assert "closed form" in chart.ChartTitle, chart.ChartTitle
+Delete(chart)
 style.SphericalWeighting = "Uniform"  # iterates
 run("Energy Chart")
 chart, = (v for v in GetViews() if v.GetXMLName() == "XYChartView")
+assert chart.ChartTitle == "Energy", chart.ChartTitle
 display = GetRepresentation(OutputPort(style, 1), chart)
 assert display.XArrayName == "Iteration" and display.Visibility == 1
 assert list(display.SeriesVisibility) == ["Total", "Rigid", "Spherical"], list(display.SeriesVisibility)

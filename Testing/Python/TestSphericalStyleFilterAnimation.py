@@ -33,7 +33,7 @@ def play():
 
 
 def by_hand(values):
-    style = SphericalStyle(Input=FindSource("Model"), CenterMode="Custom", InitialGuess="Blend",
+    style = SphericalStyle(Input=FindSource("Model"), CenterMode="Custom",
                            Roundness=values[0], NormalBlend=values[1], Center=[values[2], values[3], 0.0])
     ProxyTesting.update(style)
     bounds = ProxyTesting.bounds(style)

@@ -21,11 +21,12 @@ def points(proxy):
 
 
 # ---------------------------------------------------------------------- blocks keep to themselves
+ITERATES = dict(SphericalWeighting="Uniform")  # for the tables
 cube = XMLPolyDataReader(FileName=[data + "/cube.vtp"])
 stone = XMLPolyDataReader(FileName=[data + "/go-stone.vtp"])
-alone = [SphericalStyle(Input=model) for model in (cube, stone)]
+alone = [SphericalStyle(Input=model, **ITERATES) for model in (cube, stone)]
 group = GroupDatasets(Input=[cube, stone])
-rounded = SphericalStyle(Input=group)
+rounded = SphericalStyle(Input=group, **ITERATES)
 UpdatePipeline(proxy=rounded)
 blocks, tables = servermanager.Fetch(rounded), servermanager.Fetch(rounded, idx=1)
 assert blocks.GetNumberOfBlocks() == tables.GetNumberOfBlocks() == 2
@@ -38,7 +39,7 @@ for k in range(2):
     assert tables.GetBlock(k).GetNumberOfRows() > 0
 
 # --------------------------------------------------------------------- every time step is a model
-style = SphericalStyle(Input=make_growing_sphere(), Roundness=50.0)
+style = SphericalStyle(Input=make_growing_sphere(), Roundness=50.0, NormalBlend=0.0, DetailSize=0.0)
 heights = []
 for time in (1.0, 3.0, 2.0, 3.0):
     UpdatePipeline(time=time, proxy=style)
@@ -50,8 +51,8 @@ assert heights[1] == heights[3] and heights[0] < heights[2] < heights[1], height
 # ------------------------------------------------------------- filter after filter, and the picture
 model = XMLPolyDataReader(FileName=[data + "/creature.vtp"])
 UpdatePipeline(proxy=model)
-first = SphericalStyle(Input=model, Roundness=0.5, DetailSize=0.03, GenerateNormals=1)
-second = SphericalStyle(Input=first, Roundness=2.0, DetailSize=0.03)
+first = SphericalStyle(Input=model, GenerateNormals=1)
+second = SphericalStyle(Input=first, Roundness=5.0, NormalBlend=0.0, DetailSize=0.03)
 view = CreateRenderView(ViewSize=[600, 240], UseColorPaletteForBackground=0,
                         Background=[1.0, 1.0, 1.0], OrientationAxesVisibility=0)
 for place, proxy in enumerate((model, first, second)):

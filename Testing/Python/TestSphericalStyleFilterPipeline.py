@@ -43,6 +43,10 @@ rounded = vtkSphericalStyleFilter()
 rounded.SetInputConnection(reader.GetOutputPort())
 rounded.SetRoundness(5.0)
 rounded.SetSphericalWeightingToUniform()  # iterates, for the table
+rounded.SetNormalBlend(0.0)  # and so goes to one ball, of the size that the energy gives it
+rounded.SetDetailSize(0.0)
+rounded.SetKeepSizeToOff()
+rounded.SetRefineLongEdgesToOff()
 rounded.SetOutputPointsPrecision(vtkSphericalStyleFilter.DOUBLE_PRECISION)
 curvatures = vtkCurvatures()
 curvatures.SetCurvatureTypeToMean()

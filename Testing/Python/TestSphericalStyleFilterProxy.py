@@ -27,7 +27,9 @@ UpdatePipeline(proxy=long_sphere)
 
 # ----------------------------------------------------------------- defaults, as the panel gets them
 rounded = SphericalStyle(Input=long_sphere)
-assert rounded.Roundness == 0.5 and rounded.DetailSize == 0.0 and rounded.NormalBlend == 0.0
+assert rounded.Roundness == 1.0 and rounded.DetailSize == 0.06 and rounded.NormalBlend == 0.6
+assert rounded.NormalRadius == "Own Thickness" and rounded.RefineLongEdges == "Automatic"
+assert rounded.KeepSize == "Area" and rounded.KeepOnGround == 0 and rounded.UpAxis == "Y"
 assert rounded.CenterMode == "Area Centroid" and rounded.RadiusMode == "Equal Area"
 assert rounded.AvoidSelfIntersections == 0
 assert rounded.StopRule == "Converged" and rounded.OutputPointsPrecision == "Default"
@@ -36,6 +38,20 @@ for array in (rounded.NormalsArray, rounded.RoundnessFactorArray, rounded.Normal
     assert list(array) == ["POINTS", "None"], list(array)
 assert all(abs(c) < 1e-6 for c in rounded.Center), list(rounded.Center)
 UpdatePipeline(proxy=rounded)
+default_height = bounds(rounded)[5]
+
+# ------------------------------------------------------------------------------- size and ground
+low, high = (bounds(long_sphere)[k] for k in (4, 5))
+rounded.KeepSize, rounded.UpAxis = "Extent", "Z"
+UpdatePipeline(proxy=rounded)
+assert abs((bounds(rounded)[5] - bounds(rounded)[4]) / (high - low) - 1.0) < 1e-5, bounds(rounded)
+rounded.KeepSize, rounded.KeepOnGround = "Off", 1
+UpdatePipeline(proxy=rounded)
+assert abs(bounds(rounded)[4] - low) < 1e-6 and bounds(rounded)[5] < high - 0.01, bounds(rounded)
+for name, value in (("Roundness", 0.5), ("NormalBlend", 0.0), ("DetailSize", 0.0), ("KeepSize", "Off"), ("KeepOnGround", 0)):
+    rounded.SetPropertyWithName(name, value)
+UpdatePipeline(proxy=rounded)
+assert default_height < high and bounds(rounded)[5] < high
 default_height = bounds(rounded)[5]
 
 # ---------------------------------------------------------------------------- properties reach C++
@@ -97,17 +113,24 @@ assert all(abs(a - b) < 1e-6 for a, b in zip(bounds(fixed), bounds(long_sphere))
 
 # -------------------------------------------------------------------------------- long edges split
 coarse = Sphere(ThetaResolution=4, PhiResolution=4)
-refined = SphericalStyle(Input=coarse)
-assert refined.RefineLongEdges == 0 and refined.MaximumEdgeLength == 0.04
+refined = SphericalStyle(Input=coarse, RefineLongEdges="Off")
+assert refined.MaximumEdgeLength == 0.04
 UpdatePipeline(proxy=refined)
 assert refined.PointData.GetArray("RefinedPoint") is None
 before = refined.GetDataInformation().GetNumberOfPoints()
-refined.RefineLongEdges = 1
 refined.MaximumEdgeLength = 0.1
-UpdatePipeline(proxy=refined)
-assert refined.GetDataInformation().GetNumberOfPoints() > 10 * before
-assert refined.PointData.GetArray("RefinedPoint").GetRange() == (0.0, 1.0)
-assert refined.CellData.GetArray("OriginalCell").GetNumberOfComponents() == 1
+for value in ("On", "Automatic"):
+    refined.RefineLongEdges = value
+    UpdatePipeline(proxy=refined)
+    assert refined.GetDataInformation().GetNumberOfPoints() > 10 * before, value
+    assert refined.PointData.GetArray("RefinedPoint").GetRange() == (0.0, 1.0)
+    assert refined.CellData.GetArray("OriginalCell").GetNumberOfComponents() == 1
+fine = SphericalStyle(Input=long_sphere, MaximumEdgeLength=0.01)
+for value, splits in (("Automatic", False), ("On", True)):
+    fine.RefineLongEdges = value
+    UpdatePipeline(proxy=fine)
+    count = fine.GetDataInformation().GetNumberOfPoints()
+    assert (count > long_sphere.GetDataInformation().GetNumberOfPoints()) == splits, (value, count)
 
 # ------------------------------------------------------------------------------- nonlinear feature
 nonlinear = SphericalStyle(Input=long_sphere)

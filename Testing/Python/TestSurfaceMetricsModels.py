@@ -15,7 +15,7 @@ from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
 
 from sphericalstyle import vtkSphericalStyleFilter, vtkSurfaceMetrics
 
-from ModelTesting import check, main, read
+from ModelTesting import ENERGY, check, main, read
 
 
 def execute(filter_, surface, **properties):
@@ -27,9 +27,9 @@ def execute(filter_, surface, **properties):
 
 
 def style(surface, **properties):
-    """Rounded, with weights and center of the thesis."""
-    return execute(vtkSphericalStyleFilter(), surface, OutputPointsPrecision=1, SphericalWeighting=0,
-                   CenterMode=0, **properties).GetOutput()
+    """Rounded by the energy, with weights and center of the thesis."""
+    return execute(vtkSphericalStyleFilter(), surface, **{
+        **ENERGY, "OutputPointsPrecision": 1, "CenterMode": 0, **properties}).GetOutput()
 
 
 def measures(surface, reference=None, **properties):

@@ -32,7 +32,7 @@ for k, model in enumerate((cube, stone)):
 # ------------------------------ the picture: a model, its area ratios rounded, its smallest angles
 model = XMLPolyDataReader(FileName=[data + "/creature.vtp"])
 UpdatePipeline(proxy=model)
-rounded = SphericalStyle(Input=model, Roundness=2.0)
+rounded = SphericalStyle(Input=model, Roundness=2.0, NormalBlend=0.0, DetailSize=0.0, KeepSize="Off")
 before, after = SurfaceMetrics(Input=model), SurfaceMetrics(Input=rounded, Reference=model)
 assert measure(after, "Sphericity") > measure(before, "Sphericity")
 assert measure(after, "RadiusSpread") < measure(before, "RadiusSpread")

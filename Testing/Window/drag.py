@@ -102,8 +102,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build", help="build folder")
     parser.add_argument("model")
-    parser.add_argument("--detail-size", type=float, default=0.03)
-    parser.add_argument("--roundness", type=float, default=0.5)
+    parser.add_argument("--detail-size", type=float, default=0.06)
+    parser.add_argument("--roundness", type=float, default=1.0)
+    parser.add_argument("--normal-blend", type=float, default=0.0, help="0: the center does most")
     parser.add_argument("--handle", choices=("cross", "sphere"), default="cross",
                         help="sphere: the radius is custom, too")
     parser.add_argument("--messages", type=int, default=0, help="that are to come, however many updates there are")
@@ -122,7 +123,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         log = os.path.join(folder, "log")
         settings = dict(log=log, model=os.path.abspath(options.model),
-                        properties=dict(DetailSize=options.detail_size, Roundness=options.roundness),
+                        properties=properties_of(options),
                         sphere=options.handle == "sphere", released=PATH[-1], auto_apply=int(options.auto_apply),
                         trace=bool(options.trace))
         environment = dict(
@@ -143,6 +144,10 @@ def main():
             for process in processes:
                 process.kill()
                 process.wait()
+
+
+def properties_of(options):
+    return dict(DetailSize=options.detail_size, Roundness=options.roundness, NormalBlend=options.normal_blend)
 
 
 def plugin_path(options):
@@ -173,7 +178,7 @@ print("replayed", json.dumps(list(FindSource("SphericalStyle1").Center)))
 
 def check_trace(options, trace, during, center):
     """One change, that of the release, and a script of it moves the center to the same place."""
-    properties = dict(DetailSize=options.detail_size, Roundness=options.roundness, CenterMode="Custom")
+    properties = dict(properties_of(options), CenterMode="Custom")
     with tempfile.NamedTemporaryFile("w", suffix=".py") as script:
         script.write(REPLAY)
         script.flush()

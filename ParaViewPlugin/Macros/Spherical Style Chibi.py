@@ -2,4 +2,4 @@
 # SPDX-License-Identifier: BSD-3-Clause
 from sphericalstyle import window
 
-window.apply_preset("Relief")
+window.apply_preset("Chibi")
