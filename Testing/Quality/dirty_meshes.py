@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Dirty meshes: what spoils the mesh must not spoil the result.
 
-66 variants of six clean models, made with fixed seeds, rounded with and without details kept and compared with the
-result of the clean model at the points that both have. Ways to spoil: dirt.py; figures: README.md.
+66 variants of six clean models, made with fixed seeds, rounded by the thesis, with details kept and with the defaults,
+and compared with the result of the clean model at the points that both have. Ways to spoil: dirt.py; figures: README.md.
 """
 import zlib
 
@@ -14,18 +14,24 @@ import measures
 import surfaces
 
 MODELS = ("creature", "go-stone", "bottle", "snowman", "icosahedron", "cube")
-DETAIL_SIZES = (0.0, 0.03)
-# (median, largest) difference at most, fractions of the diagonal: without and with details kept.
-BOUNDS = {
-    "cut open": ((0.0045, 0.0075), (0.015, 0.07)),  # with details kept the borders of a slit part
-    "parts detached": ((0.0003, 0.0045), (0.0065, 0.018)),
-    "slivers": ((1e-5, 1e-5), (0.0008, 0.0022)),
-    "points duplicated": ((1e-6, 1e-6), (1e-6, 1e-6)),
-    "triangles flipped": ((1e-6, 1e-6), (1e-6, 1e-6)),
-    "points unreferenced": ((1e-6, 1e-6), (1e-6, 1e-6)),
-    "scaled by 100": ((0.0001, 0.0001), (0.0006, 0.0018)),
+CASES = {"thesis": {**surfaces.THESIS, "Roundness": 0.5},
+         "closed form": {"Roundness": 0.5, "NormalBlend": 0.0, "DetailSize": 0.03}, "defaults": {}}
+BOUND = 0.002  # largest difference, a fraction of the diagonal
+# What exceeds it, and why: {way: (why, {case: bound})}.
+EXCEPTIONS = {
+    "hole": ("a piece of the surface is missing, and base, center and area with it",
+             {"thesis": 0.0027, "closed form": 0.021, "defaults": 0.033}),
+    "holes": ("a piece of the surface is missing", {"thesis": 0.0031, "closed form": 0.005, "defaults": 0.0095}),
+    "slit": ("a piece of the surface is missing", {"thesis": 0.0065, "closed form": 0.028, "defaults": 0.057}),
+    "detached": ("the gap alone is 0.003, and a ray for the thickness can pass it",
+                 {"thesis": 0.004, "closed form": 0.022, "defaults": 0.034}),
+    "three_detached": ("as detached", {"closed form": 0.019, "defaults": 0.045}),
+    "caps": ("the grid and the rays look at other samples of the same surface, and KeepSize at the area of slivers",
+             {"closed form": 0.0035, "defaults": 0.011}),
+    "scaled": ("needles, thinner than a cell of the grid: which way they turn about their axis is left to rounding",
+               {"closed form": 0.11, "defaults": 0.18}),
 }
-COLUMNS = ["kind", "variant", "model", "parts", "DetailSize", "spike", "median", "largest"]
+COLUMNS = ["kind", "variant", "model", "parts", "case", "spike", "median", "largest"]
 
 
 def clean_model(name):
@@ -42,17 +48,21 @@ def difference(clean, dirty, variant, length):
         dirty.x[variant.at] - clean.x[variant.kept] - shift[variant.kept], axis=1) / length
 
 
-def measured(variant, mesh, properties, cache):
-    """(spike, median, largest); NaN where there is no result. cache: {DetailSize: clean result}."""
-    mesh = variant.clean or mesh
-    detail = properties["DetailSize"]
-    clean = cache.get(detail) if not variant.clean else None
-    if clean is None:
+def measured(variant, mesh, properties, cache, case):
+    """(spike, median, largest); NaN where there is no result. cache: {case: clean result}."""
+    if variant.clean:
+        mesh = variant.clean
         clean = surfaces.Result(*mesh, properties)
-    if not variant.clean:
-        cache[detail] = clean
+    else:
+        if case not in cache:
+            cache[case] = surfaces.Result(*mesh, properties)
+        clean = cache[case]
     dirty = surfaces.Result(variant.x, variant.F, properties)
-    spike = measures.spike(variant.x, dirty.x, np.unique(variant.F), dirty.center, dirty.radius)
+    without_size = surfaces.Result(variant.x, variant.F, {**properties, "KeepSize": 0})
+    used = np.unique(dirty.F)
+    factor = measures.diagonal(dirty.x[used]) / measures.diagonal(without_size.x[used])
+    spike = measures.spike(variant.x, dirty.x[:len(variant.x)], np.unique(variant.F), dirty.center, dirty.radius,
+                           factor)
     d = difference(clean, dirty, variant, measures.diagonal(mesh[0]))
     return spike, np.median(d), d.max()
 
@@ -73,34 +83,35 @@ def main():
                 variant = way(*mesh, np.random.RandomState(seed))
                 parts = measures.component_ids(
                     len(variant.x), measures.weld(variant.x, variant.F)).max() + 1
-                for detail in DETAIL_SIZES:
+                for case, settings in CASES.items():
                     table.append(dict(zip(COLUMNS, [
-                        kind, way.__name__, name, parts, detail,
-                        *measured(variant, mesh, {"DetailSize": detail, **properties}, cache)])))
+                        kind, way.__name__, name, parts, case,
+                        *measured(variant, mesh, {**settings, **properties}, cache, case)])))
     report(table)
     for line in table:
-        if line["parts"] == 1 or surfaces.stitched(properties):
-            judge(check, line)
+        judge(check, line)
     if arguments.output:
         surfaces.write_table(arguments.output, "dirty-meshes.csv", COLUMNS, table)
     check.exit()
 
 
 def judge(check, line):
-    median, largest = BOUNDS[line["kind"]][DETAIL_SIZES.index(line["DetailSize"])]
-    check(line["spike"] < 1.5 and line["median"] <= median and line["largest"] <= largest,
-          "{model}, {variant}, DetailSize {DetailSize:g}: spike {spike:.2f}, median {median:.5f} and largest "
-          "difference {largest:.5f} within 1.5, ".format(**line) + f"{median:g} and {largest:g}")
+    why, known = EXCEPTIONS.get(line["variant"], ("", {}))
+    bound = known.get(line["case"], BOUND)
+    check(line["spike"] < 1.5 and line["largest"] <= bound,
+          "{model}, {variant}, {case}: spike {spike:.2f} and largest difference {largest:.5f} within ".format(**line)
+          + f"1.5 and {bound:g} {why}")
 
 
 def report(table):
     """Worst of each way to spoil."""
     for way in dict.fromkeys(row["variant"] for row in table):
-        for detail in DETAIL_SIZES:
-            rows = [row for row in table if row["variant"] == way and row["DetailSize"] == detail]
+        for case in CASES:
+            rows = [row for row in table if row["variant"] == way and row["case"] == case]
             median, largest = (max(rows, key=lambda row: row[c]) for c in ("median", "largest"))
-            print(f"  {way:15s} DetailSize {detail:<5g} median {median['median']:8.5f} ({median['model']}), "
+            print(f"  {way:15s} {case:11s} median {median['median']:8.5f} ({median['model']}), "
                   f"largest {largest['largest']:8.5f} ({largest['model']})")
+
 
 
 main()

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every model through every filter: finite, same cells, no error, and no warning that the documents do not know.
 
-The main filter runs over NormalBlend 0 and 1, Roundness .1, 5 and 50 and DetailSize 0 and .03, the others over what
-their defaults are. Prints a line per model and filter: executions, seconds, and what was said how often.
+The main filter runs over NormalBlend 0 and 1, Roundness .1, 5 and 50 and DetailSize 0, .03 and .06 on the cells as
+they are, and over its defaults and presets, which split long edges; the others over what their defaults are.
+Prints a line per model and filter: executions, seconds, and what was said how often.
 """
 import collections
 import itertools
@@ -16,10 +17,12 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import surfaces
 
-NORMAL_BLENDS, ROUNDNESSES, DETAIL_SIZES = (0.0, 1.0), (0.1, 5.0, 50.0), (0.0, 0.03)
+NORMAL_BLENDS, ROUNDNESSES, DETAIL_SIZES = (0.0, 1.0), (0.1, 5.0, 50.0), (0.0, 0.03, 0.06)
 MAIN = "vtkSphericalStyleFilter"
-FILTERS = {MAIN: [{"NormalBlend": a, "Roundness": r, "DetailSize": s}
-                  for a, r, s in itertools.product(NORMAL_BLENDS, ROUNDNESSES, DETAIL_SIZES)],
+GRID = [{"NormalBlend": a, "Roundness": r, "DetailSize": s, "RefineLongEdges": 0}
+        for a, r, s in itertools.product(NORMAL_BLENDS, ROUNDNESSES, DETAIL_SIZES)]
+DEFAULTS = {"NormalBlend": 0.6, "Roundness": 1.0, "DetailSize": 0.06, "RefineLongEdges": 1}
+FILTERS = {MAIN: GRID + [{**DEFAULTS, **style} for style in surfaces.STYLES.values()],
            "vtkConvexProxyDeformFilter": [{}, {"Blend": 0.0, "Roundness": 50.0}],
            "vtkNormalAnalogyFilter": [{}], "vtkCubicStyleFilter": [{}], "vtkSphereProjectionFilter": [{}],
            "vtkGaussMapFilter": [{}], "vtkSurfaceMetrics": [{}], "vtkSurfaceDiagnostics": [{}]}
@@ -38,9 +41,14 @@ def kind_of(message):
 
 
 def same_cells(a, b):
+    """Of b as of a, or pieces of them (RefineLongEdges)."""
     def ids(surface):
         return [vtk_to_numpy(array) for cells in (surface.GetVerts(), surface.GetLines(), surface.GetPolys(), surface.GetStrips())
                 for array in (cells.GetOffsetsArray(), cells.GetConnectivityArray())]
+    origin = b.GetCellData().GetArray("OriginalCell")
+    if origin:  # split: every cell is still there, and the points come first
+        return (np.array_equal(np.unique(vtk_to_numpy(origin)), np.arange(a.GetNumberOfCells()))
+                and b.GetNumberOfPoints() >= a.GetNumberOfPoints())
     return a.GetNumberOfPoints() == b.GetNumberOfPoints() and all(map(np.array_equal, ids(a), ids(b)))
 
 
@@ -72,8 +80,7 @@ def run(check, name, model, surface, settings):
     for properties in settings:
         what = f"{model}, {name}, {properties}"
         watched.warnings.clear()
-        for key, value in properties.items():
-            getattr(watched.filter, "Set" + key)(value)
+        surfaces.set_properties(watched.filter, properties)
         watched.filter.Update()
         output = watched.filter.GetOutput()
         check(not watched.errors, f"{what}: no error {watched.errors}")

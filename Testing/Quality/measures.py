@@ -11,8 +11,9 @@ from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkStaticCellLocator
 import surfaces
 
 try:
-    from scipy.sparse import coo_matrix, identity
+    from scipy.sparse import coo_matrix, diags, identity
     from scipy.sparse.csgraph import connected_components
+    from scipy.sparse.linalg import splu
 except ImportError:
     surfaces.skip("scipy is not installed")
 
@@ -58,12 +59,13 @@ def toward_sphere(x, center, radius, roundness):
 
 
 # ------------------------------------------------------------------------------------------- spikes
-def spike(x, y, used, center, radius):
+def spike(x, y, used, center, radius, factor=1.0):
     """Largest distance from the center, over that before or the radius, the larger of the two. A
-    needle whose sphere is smaller counts as one of a twentieth of the diagonal."""
+    needle whose sphere is smaller counts as one of a twentieth of the diagonal. factor: by which y
+    was scaled to keep its size (KeepSize)."""
     before = np.linalg.norm(x[used] - center, axis=1)
     allowed = np.maximum(before, max(radius, diagonal(x[used]) / 20.0))
-    return (np.linalg.norm(y[used] - center, axis=1) / allowed).max()
+    return (np.linalg.norm(y[used] - center, axis=1) / (factor * allowed)).max()
 
 
 # -------------------------------------------------------------------------------------------- folds
@@ -133,32 +135,98 @@ def frames(x, F):
     return np.stack([x[F[:, 1]] - x[F[:, 0]], x[F[:, 2]] - x[F[:, 0]], normal], axis=2), doubled / 2
 
 
-class Surroundings:
-    """The three rings of triangles around each triangle, as a sum."""
+def turned_over(x, y, F, rotations):
+    """Which triangles face against their normal before, turned by the mean rotation of their corners:
+    against what their surroundings do. rotations: n x 3 x 3, of the points."""
+    before, after = crosses(x, F), crosses(y, F)
+    turned = np.einsum("fij,fj->fi", rotations[F].sum(axis=1), before)
+    seen = np.linalg.norm(after, axis=1) > 1e-9 * np.linalg.norm(before, axis=1)
+    return seen & (np.einsum("fi,fi->f", turned, after) < 0.0)
 
-    def __init__(self, folds):
-        count = len(folds.F)
+
+class Unevenness:
+    """How unevenly the triangles turned, degrees: rms angle between the normal of a triangle and
+    where the mean rotation of its surroundings (three rings, by area) takes it. Small for a smooth
+    map however far it bends; details that only turn do not count."""
+
+    def __init__(self, folds, x):
+        self.F = folds.F
+        count = len(self.F)
         pairs = np.concatenate([folds.left, folds.right]), np.concatenate([folds.right, folds.left])
         self.ring = identity(count) + coo_matrix((np.ones(len(pairs[0])), pairs), shape=(count, count))
+        before, self.area = frames(x, self.F)
+        self.normal = before[:, :, 2]
+        self.inverse = np.linalg.pinv(before)
 
-    def __call__(self, values):
+    def __call__(self, y):
+        after, area = frames(y, self.F)
+        turns = (self.area[:, None, None] * nearest_rotations(after @ self.inverse)).reshape(-1, 9)
         for _ in range(3):
-            values = self.ring @ values
-        return values
+            turns = self.ring @ turns
+        expected = np.einsum("fij,fj->fi", nearest_rotations(turns.reshape(-1, 3, 3)), self.normal)
+        angle = np.arctan2(np.linalg.norm(np.cross(expected, after[:, :, 2]), axis=1),
+                           np.einsum("fi,fi->f", expected, after[:, :, 2]))
+        return rms_degrees(angle, np.minimum(self.area, area))
 
 
-def unevenness(surroundings, x, y, F):
-    """How unevenly the triangles turned, degrees: rms angle between the normal of a triangle and
-    where the mean rotation of its surroundings takes it. Small for a smooth map however far it
-    bends; details that only turn do not count."""
-    before, area = frames(x, F)
-    after, area_after = frames(y, F)
-    turns = nearest_rotations(after @ np.linalg.pinv(before))
-    mean = nearest_rotations(surroundings((area[:, None, None] * turns).reshape(-1, 9)).reshape(-1, 3, 3))
-    expected, normal = np.einsum("fij,fj->fi", mean, before[:, :, 2]), after[:, :, 2]
-    angle = np.arctan2(np.linalg.norm(np.cross(expected, normal), axis=1),
-                       np.einsum("fi,fi->f", expected, normal))
-    return rms_degrees(angle, np.minimum(area, area_after))
+# ---------------------------------------------------------------------------------------- details
+def point_areas(x, F):
+    """A third of each triangle to each corner."""
+    area = np.linalg.norm(crosses(x, F), axis=1) / 6.0
+    return np.bincount(F.ravel(), np.repeat(area, 3), len(x))
+
+
+class Details:
+    """What becomes of the details of a surface; cotangent weights and areas are those at rest."""
+
+    def __init__(self, x, F, size):
+        """size: that of details, a fraction of the diagonal."""
+        self.x, self.F, self.diagonal = x, F, diagonal(x)
+        self.start = np.concatenate([F[:, 1], F[:, 2], F[:, 0]])
+        self.end = np.concatenate([F[:, 2], F[:, 0], F[:, 1]])
+        opposite = F.T.ravel()
+        a, b = x[self.start] - x[opposite], x[self.end] - x[opposite]
+        self.weight = np.einsum("ij,ij->i", a, b) / (2.0 * np.linalg.norm(np.cross(a, b), axis=1))
+        edges = coo_matrix((self.weight, (self.start, self.end)), shape=(len(x), len(x))).tocsr()
+        edges = edges + edges.T
+        self.laplacian = diags(np.asarray(edges.sum(axis=1)).ravel()) - edges
+        self.areas = point_areas(x, F)
+        matrix = diags(self.areas) + (size * self.diagonal) ** 2 * self.laplacian
+        self.factor = splu(matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0,
+                           options={"SymmetricMode": True})
+        self.own = x - self.base(x)
+
+    def base(self, y):
+        """Two implicit smoothing steps on the mesh: (M + s^2 L) B = M y. Not the grid of the filter."""
+        for _ in range(2):
+            y = self.factor.solve(self.areas[:, None] * y)
+        return y
+
+    def rotations(self, y):
+        """Of the surface: SurfaceMetrics.md, R_i."""
+        before, after = self.x[self.start] - self.x[self.end], y[self.start] - y[self.end]
+        sums = self.weight[:, None, None] * after[:, :, None] * before[:, None, :]
+        sums = sums.reshape(3, -1, 9).sum(axis=0)
+        at_points = np.stack([np.bincount(self.F.ravel(), np.repeat(sums[:, k], 3), len(self.x))
+                              for k in range(9)], axis=1)
+        return nearest_rotations(at_points.reshape(-1, 3, 3))
+
+    def errors(self, y):
+        """(whole, without the base): rms of |L y - R L x| over the diagonal, as DetailError of
+        vtkSurfaceMetrics; and the same of the details y - base(y) and x - base(x) alone."""
+        R = self.rotations(y)
+
+        def error(after, before):
+            difference = self.laplacian @ after - np.einsum("nij,nj->ni", R, self.laplacian @ before)
+            return np.sqrt((difference ** 2).sum(axis=1).mean()) / self.diagonal
+        return error(y, self.x), error(y - self.base(y), self.own)
+
+
+def radius_spread(x, F):
+    """Standard deviation over mean of the distance of the points from the centroid of the surface."""
+    area = np.linalg.norm(crosses(x, F), axis=1)
+    radius = np.linalg.norm(x - area @ x[F].mean(axis=1) / area.sum(), axis=1)
+    return radius.std() / radius.mean()
 
 
 # -------------------------------------------------------------------------------------------- parts

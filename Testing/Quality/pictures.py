@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sheets of small pictures, flat shaded as ParaView shows a surface without normals."""
+"""Sheets of small pictures, flat shaded as ParaView shows a surface without normals; back faces are blue."""
 import sys
 
 from PIL import Image
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
 
 import measures
 import surfaces
@@ -13,6 +13,7 @@ sys.path.insert(0, str(surfaces.ROOT / "Examples" / "Python"))
 import model_pictures  # noqa: E402
 
 ROWS = 4  # models a sheet
+BACK = (0.15, 0.35, 0.85)  # what faces inward and is seen all the same: a hole, or a triangle turned over
 # Axis that points up, and degrees around it, for models that do not look along z with y up.
 VIEWS = {
     "goblet-vase": ("z", 25.0),
@@ -36,6 +37,10 @@ def flat(surface):
     clay.SetDiffuse(0.88)
     clay.SetSpecular(0.10)
     clay.SetSpecularPower(12.0)
+    back = vtkProperty()
+    back.DeepCopy(clay)
+    back.SetColor(BACK)
+    actor.SetBackfaceProperty(back)
     return actor
 
 

@@ -15,13 +15,17 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-from sphericalstyle import vtkSphericalStyleFilter
+from sphericalstyle import presets, vtkSphericalStyleFilter
 try:
     from sphericalstyle import vtkConvexProxyDeformFilter
 except ImportError:  # built without CGAL
     vtkConvexProxyDeformFilter = None
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+# The method of the thesis in closed form, with cotangent weights: the smooth blend with the sphere.
+THESIS = {"NormalBlend": 0.0, "DetailSize": 0.0, "KeepSize": 0, "RefineLongEdges": 0}
+# What the sheet shows: the defaults and presets.
+STYLES = {"defaults": {}} | {name: presets.find(name).properties for name in ("Soft", "Toy", "Chibi", "Ball")}
 SKIPPED = 77  # what ctest takes for "skipped"
 
 
@@ -59,20 +63,18 @@ def add_models(parser_):
                          help="folder of real models; without it the script leaves with 77")
 
 
+def model_paths(folder):
+    """{name: path} of the real models, and of those of Data/ as "Data/car"."""
+    paths = {path.stem: path for path in sorted(pathlib.Path(folder).glob("*.ply"))}
+    return paths | {f"Data/{path.stem}": path for path in sorted((ROOT / "Data").glob("*.vtp"))}
+
+
 def assignment(text):
     name, _, value = text.partition("=")
     if not hasattr(vtkSphericalStyleFilter, "Set" + name):
         raise argparse.ArgumentTypeError(f"the filter has no property {name}")
     number = float(value)
     return name, int(number) if number.is_integer() else number
-
-
-def stitched(properties):
-    """Whether parts are to travel together; Independent is no defect where it was asked for."""
-    style = vtkSphericalStyleFilter()
-    if not hasattr(style, "GetComponentCoupling"):
-        return False
-    return properties.get("ComponentCoupling", style.GetComponentCoupling()) == style.STITCHED
 
 
 def write_table(folder, name, columns, rows):
@@ -122,46 +124,84 @@ def polydata(x, F):
 
 # ----------------------------------------------------------------------------------------- filters
 class Deformed:
-    """x: deformed points, of the points that were given. F: their triangles."""
+    """x: deformed points, of the points that were given or, with RefineLongEdges, have become of them.
+    F: their triangles. rotations: the point array Rotation, or None."""
 
-    def __init__(self, algorithm, x, F, properties):
-        self.messages = []
-        for event in ("ErrorEvent", "WarningEvent"):
-            algorithm.AddObserver(event, self._message)
-        algorithm.SetInputData(polydata(x, F))
-        algorithm.SetOutputPointsPrecision(1)
-        for name, value in properties.items():
-            getattr(algorithm, "Set" + name)(value)
+    def __init__(self, algorithm):
+        messages = []
+
+        def message(_source, _event, text):
+            messages.append(text.strip().split("\n")[-1])
+        message.CallDataType = VTK_STRING
+        observers = [algorithm.AddObserver(event, message) for event in ("ErrorEvent", "WarningEvent")]
         begin = time.perf_counter()
         algorithm.Update()
         self.seconds = time.perf_counter() - begin
+        for observer in observers:
+            algorithm.RemoveObserver(observer)
+        self.messages = messages
         output = algorithm.GetOutput()
         self.failed = output.GetNumberOfPoints() == 0
-        self.x = points(output) if not self.failed else np.full_like(x, np.nan)
-        self.F = triangles(output) if not self.failed else F
+        surface = algorithm.GetInput() if self.failed else output
+        self.x, self.F = points(surface), triangles(surface)
+        if self.failed:
+            self.x[:] = np.nan
+        rotations = output.GetPointData().GetArray("Rotation")
+        self.rotations = vtk_to_numpy(rotations).reshape(-1, 3, 3).copy() if rotations else None
 
-    def _message(self, _source, _event, text):
-        self.messages.append(text.strip().split("\n")[-1])
 
-    _message.CallDataType = VTK_STRING
+def set_properties(algorithm, properties):
+    """Words are those of the class: {"NormalRadius": "OwnThickness"}."""
+    for name, value in properties.items():
+        if isinstance(value, str):
+            getattr(algorithm, f"Set{name}To{value}")()
+        else:
+            getattr(algorithm, "Set" + name)(value)
+
+
+def prepared(algorithm, x, F, properties):
+    algorithm.SetInputData(polydata(x, F))
+    algorithm.SetOutputPointsPrecision(1)
+    set_properties(algorithm, properties)
+    return algorithm
 
 
 class ProxyResult(Deformed):
     """Of vtkConvexProxyDeformFilter; nothing is iterated on the model itself."""
 
     def __init__(self, x, F):
-        super().__init__(vtkConvexProxyDeformFilter(), x, F, {})
+        super().__init__(prepared(vtkConvexProxyDeformFilter(), x, F, {}))
         self.iterations = 0
         self.converged = not self.failed
 
 
-class Result(Deformed):
+class StyleResult(Deformed):
     """Of vtkSphericalStyleFilter."""
 
-    def __init__(self, x, F, properties):
-        style = vtkSphericalStyleFilter()
-        super().__init__(style, x, F, properties)
+    def __init__(self, style):
+        super().__init__(style)
         self.center = np.array(style.GetEffectiveCenter())
         self.radius = style.GetEffectiveRadius()
         self.iterations = style.GetNumberOfIterations()
         self.converged = style.GetConverged()
+
+
+class Style:
+    """vtkSphericalStyleFilter with a model in it, executed again and again as a user does."""
+
+    def __init__(self, x, F, properties):
+        self.properties = properties
+        self.filter = prepared(vtkSphericalStyleFilter(), x, F, {})
+        fresh = vtkSphericalStyleFilter()
+        self.defaults = {name: getattr(fresh, "Get" + name)() for name in ("Roundness", "KeepSize")}
+        self.defaults |= {name: getattr(fresh, "Get" + name)() for style in STYLES.values() for name in style}
+
+    def result(self, properties):
+        """What is not named is as in the defaults, or as it was given for all."""
+        set_properties(self.filter, {**self.defaults, **properties, **self.properties})
+        return StyleResult(self.filter)
+
+
+def Result(x, F, properties):  # noqa: N802, as a class
+    """The filter on a model, once."""
+    return StyleResult(prepared(vtkSphericalStyleFilter(), x, F, properties))

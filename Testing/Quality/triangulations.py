@@ -19,12 +19,15 @@ except ImportError:
     surfaces.skip("scipy is not installed")
 
 HALF_AXES = np.array([1.0, 0.8, 0.5])
-ROUNDNESS = (0.1, 0.5, 5.0)
-# Largest spread: {DetailSize: (CenterMode AreaCentroid, PointMean)}. The mean of the points of a mesh that
-# is finer at one end lies off the middle, and the sphere with it; weights cannot mend that. With details
-# kept, how stiff a sheet is against bending depends on the size of its triangles (every spokes and rims energy).
-BOUNDS = {0.0: (0.01, 0.015), 0.03: (0.015, 0.025)}
+CASES = {"thesis": surfaces.THESIS, "details kept": {"NormalBlend": 0.0, "DetailSize": 0.03}, "defaults": {}}
+ROUNDNESS = {"thesis": (0.1, 0.5, 5.0), "details kept": (0.1, 0.5, 5.0), "defaults": (1.0,)}
 CENTER_MODES = {"AreaCentroid": 1, "PointMean": 0}
+BOUND = 0.002  # largest spread
+# What exceeds it: {(case, CenterMode): bound}. The mean of the points of a mesh that is finer at one end lies off the
+# middle, and the sphere with it. With details kept the grid looks at samples of the surface, which are others on
+# other triangles, and what is detail is so too.
+EXCEPTIONS = {("thesis", "PointMean"): 0.011, ("details kept", "AreaCentroid"): 0.009,
+              ("details kept", "PointMean"): 0.021, ("defaults", "AreaCentroid"): 0.007, ("defaults", "PointMean"): 0.008}
 
 
 # ------------------------------------------------------------------------ triangulations of a ball
@@ -95,7 +98,7 @@ def on_ball(x, F):
 
 
 TRIANGULATIONS = (icosphere, meridians, scattered, stretched, graded)
-COLUMNS = ["CenterMode", "DetailSize", "Roundness", *(make.__name__ for make in TRIANGULATIONS), "spread"]
+COLUMNS = ["case", "CenterMode", "Roundness", *(make.__name__ for make in TRIANGULATIONS), "spread"]
 
 
 # ------------------------------------------------------------------------------------------ aspects
@@ -119,16 +122,17 @@ def main():
         meshes.append((x * HALF_AXES, F))
         print(f"  {make.__name__:10s} {len(x)} points, aspect {aspect(meshes[-1][0]):.4f}")
     table = []
-    for detail, bounds in BOUNDS.items():
-        for (mode, number), bound in zip(CENTER_MODES.items(), bounds):
-            for roundness in ROUNDNESS:
+    for case, settings in CASES.items():
+        for mode, number in CENTER_MODES.items():
+            bound = EXCEPTIONS.get((case, mode), BOUND)
+            for roundness in ROUNDNESS[case]:
                 aspects, spread = spread_over_triangulations(meshes, {
-                    "CenterMode": number, "DetailSize": detail, "Roundness": roundness, **dict(arguments.set)})
-                what = f"{mode}, DetailSize {detail:g}, Roundness {roundness:g}"
-                print(f"  {what:45s} aspects " + " ".join(f"{a:.4f}" for a in aspects)
+                    **settings, "CenterMode": number, "Roundness": roundness, **dict(arguments.set)})
+                what = f"{case}, {mode}, Roundness {roundness:g}"
+                print(f"  {what:42s} aspects " + " ".join(f"{a:.4f}" for a in aspects)
                       + f", spread {100 * spread:.2f} %")
-                check(spread < bound, f"{what}: spread below {100 * bound:g} %")
-                table.append(dict(zip(COLUMNS, [mode, detail, roundness, *aspects, spread])))
+                check(spread < bound, f"{what}: spread {100 * spread:.2f} below {100 * bound:g} %")
+                table.append(dict(zip(COLUMNS, [case, mode, roundness, *aspects, spread])))
     if arguments.output:
         surfaces.write_table(arguments.output, "triangulations.csv", COLUMNS, table)
     check.exit()

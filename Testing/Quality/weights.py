@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Which weights when: bad meshes under either edge and spherical weighting, and through the proxy.
 
-Prints the table of SphericalStyle.md, "Which weights when"; --pictures shows what is in it.
+The method of the thesis: without details and normals, in its own size. Uniform weights minimise the energy; what
+cotangent ones lead to is known in closed form. Prints the table of SphericalStyle.md, "Which weights when";
+--pictures shows what is in it.
 """
 import numpy as np
 
@@ -15,13 +17,10 @@ UNIFORM, DELAUNAY = {"SphericalWeighting": 0}, {"EdgeWeighting": 2}
 WEIGHTS = {
     "Uniform, HalfEdge": UNIFORM,
     "Uniform, IntrinsicDelaunay": {**UNIFORM, **DELAUNAY},
-    "Cotangent, HalfEdge": {},
-    "Cotangent, IntrinsicDelaunay": DELAUNAY,
+    "Cotangent": {},  # the same on any triangles
 }
-# DetailSize 0 before .03; without details cotangent weights give the same blend on any triangles.
-CASES = [(0.0, name) for name in list(WEIGHTS)[:3]] + [(0.03, name) for name in WEIGHTS]
 PROXY = "proxy"
-COLUMNS = ["model", "DetailSize", "weights", "fold change", "turned over", "iterations"]
+COLUMNS = ["model", "weights", "fold change", "turned over", "iterations"]
 
 
 def turned_over(x, y, F):
@@ -29,9 +28,9 @@ def turned_over(x, y, F):
     return int((np.einsum("ij,ij->i", measures.crosses(x, F), measures.crosses(y, F)) < 0.0).sum())
 
 
-def line(name, x, F, folds, detail, weights, result):
+def line(name, x, F, folds, weights, result):
     change = measures.fold_changes(folds, x, result.x, result.x)[0]
-    return dict(zip(COLUMNS, [name, detail, weights, change, turned_over(x, result.x, F), result.iterations]))
+    return dict(zip(COLUMNS, [name, weights, change, turned_over(x, result.x, F), result.iterations]))
 
 
 def path_of(name, folder):
@@ -40,7 +39,7 @@ def path_of(name, folder):
 
 def markdown(table):
     """One row per model, its cases side by side."""
-    heads = [f"{row['weights']}, {row['DetailSize']:g}" for row in table if row["model"] == table[0]["model"]]
+    heads = [row["weights"] for row in table if row["model"] == table[0]["model"]]
     print("| model | " + " | ".join(heads) + " |\n" + "|---" * (len(heads) + 1) + "|")
     for name in dict.fromkeys(row["model"] for row in table):
         cells = [f"{row['fold change']:.1f} ({row['turned over']})" for row in table if row["model"] == name]
@@ -54,32 +53,30 @@ def main():
     arguments = parser.parse_args()
     if not arguments.models.is_dir():
         surfaces.skip("no folder of models")
-    properties = {"Roundness": ROUNDNESS, **dict(arguments.set)}
+    properties = {**surfaces.THESIS, "Roundness": ROUNDNESS, **dict(arguments.set)}
     check = surfaces.Checks()
     table, panels = [], []
     for name in arguments.names or NAMES:
         x, F = surfaces.read(path_of(name, arguments.models))
         folds = measures.Folds(measures.weld(x, F))
         results = []
-        for detail, weights in CASES:
-            results.append(surfaces.Result(x, F, {**properties, "DetailSize": detail, **WEIGHTS[weights]}))
-            table.append(line(name, x, F, folds, detail, weights, results[-1]))
+        for weights, settings in WEIGHTS.items():
+            results.append(surfaces.Result(x, F, {**properties, **settings}))
+            table.append(line(name, x, F, folds, weights, results[-1]))
         if surfaces.vtkConvexProxyDeformFilter:
             results.append(surfaces.ProxyResult(x, F))
-            table.append(line(name, x, F, folds, 0.0, PROXY, results[-1]))
+            table.append(line(name, x, F, folds, PROXY, results[-1]))
         for result in results:
             check(np.isfinite(result.x).all() and result.converged, f"{name}: finite and converged")
         panels.append((name, x, F, results))
-        changes = {(row["DetailSize"], row["weights"]): row["fold change"]
-                   for row in table if row["model"] == name}
-        print(f"  {name}: " + ", ".join(f"{w} {d:g}: {c:.1f}" for (d, w), c in changes.items()), flush=True)
+        print(f"  {name}: " + ", ".join(f"{row['weights']}: {row['fold change']:.1f}" for row in table
+                                        if row["model"] == name), flush=True)
     markdown(table)
     if arguments.output:
         surfaces.write_table(arguments.output, "weights.csv", COLUMNS, table)
     if arguments.output and arguments.pictures:
         import pictures  # needs a display
-        titles = [f"{weights}, {detail:g}" for detail, weights in CASES] + [PROXY]
-        pictures.sheets(arguments.output, panels, titles)
+        pictures.sheets(arguments.output, panels, [*WEIGHTS, PROXY])
     check.exit()
 
 
