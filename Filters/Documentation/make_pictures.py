@@ -4,8 +4,9 @@
 
     PYTHONPATH=BUILD/lib/python3/dist-packages pvpython make_pictures.py [NAME ...]
 
-NAME: pictures to make, as car for car.png; all without one. van.png and wall.png need the folder of
-real models SPHERICALSTYLE_MODELS, and stay as they are without.
+NAME: pictures to make, as car for car.png; all without one. presets.png, van.png and wall.png need the
+folder of real models SPHERICALSTYLE_MODELS, and stay as they are without. dragging.png is made by
+Testing/Window/drag.py --strip.
 """
 import os
 import pathlib
@@ -18,7 +19,9 @@ from matplotlib.collections import LineCollection
 from PIL import Image
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkCutter, vtkPolyDataNormals, vtkThreshold
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper
@@ -33,7 +36,7 @@ sys.path.insert(0, str(ROOT / "Examples" / "Python"))
 
 import model_files  # noqa: E402
 import model_pictures  # noqa: E402
-from sphericalstyle import window  # noqa: E402
+from sphericalstyle import presets  # noqa: E402
 from sphericalstyle import (  # noqa: E402
     vtkConvexProxyDeformFilter, vtkCubicStyleFilter, vtkGaussMapFilter, vtkNormalAnalogyFilter,
     vtkSphereProjectionFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics)
@@ -89,33 +92,99 @@ def picture(name, size, panels, view, points, few_colors=True, **options):
             quantize(file)
 
 
+MODELS = pathlib.Path(os.environ.get("SPHERICALSTYLE_MODELS", ROOT.parent / "shared" / "models"))
+# The linear blend of model and sphere, of the model's own triangles.
+PLAIN = {"NormalBlend": 0.0, "DetailSize": 0.0, "KeepSize": vtkSphericalStyleFilter.NO_SIZE,
+         "RefineLongEdges": vtkSphericalStyleFilter.NEVER}
+
 creature = model_files.read(ROOT / "Data" / "creature.vtp")
 cube = model_files.read(ROOT / "Data" / "cube.vtp")
 
-picture("before-after.png", (1000, 560), [[
-    (creature, "before"),
-    (rounded(creature, Roundness=0.5, DetailSize=0.03), "after: Roundness 0.5, DetailSize 0.03"),
-]], 25.0, 17)
+picture("before-after.png", (1000, 560), [[(creature, "before"), (rounded(creature), "after")]], 25.0, 17)
 
-picture("series.png", (1200, 560), [[
-    (rounded(creature, Roundness=roundness, DetailSize=size),
-     f"Roundness {roundness:g}, DetailSize {size:g}")
-    for roundness in (0.0, 0.1, 0.5, 2.0, 5.0)] for size in (0.0, 0.03)], 25.0, 12)
+picture("series.png", (1200, 810), [
+    [(creature, "model")] + [
+        (rounded(creature, Roundness=roundness, NormalBlend=blend), f"Roundness {roundness:g}, NormalBlend {blend:g}")
+        for roundness in (0.3, 1.0, 2.0, 5.0)]
+    for blend in (0.0, 0.6, 1.0)], 25.0, 12)
 
-picture("normal-blend.png", (1000, 330), [[(creature, "model")] + [
-    (rounded(creature, Roundness=0.1, NormalBlend=blend), f"NormalBlend {blend:g}")
-    for blend in (0.0, 0.5, 1.0)]], 25.0, 13)
-
+picture("details.png", (1000, 330), [[
+    (rounded(creature, Roundness=2.0, DetailSize=size), f"DetailSize {size:g}")
+    for size in (0.0, 0.02, 0.06, 0.15)]], 25.0, 13)
 
 
 def preset(surface, name):
-    values = {property_: getattr(vtkSphericalStyleFilter, value.upper()) if isinstance(value, str) else value
-              for property_, value in window.PRESETS[name].items()}
-    return rounded(surface, **values)
+    style = vtkSphericalStyleFilter()
+    presets.apply(style, name)
+    return run(style, surface, {}).GetOutput()
 
 
-picture("presets.png", (1200, 330), [
-    [(creature, "model")] + [(preset(creature, name), name) for name in window.PRESETS]], 25.0, 12)
+def of_size_one(surface, length):
+    """So that models of any size go into one picture."""
+    transform = vtkTransform()
+    transform.Scale([1.0 / length] * 3)
+    scale = vtkTransformPolyDataFilter()
+    scale.SetTransform(transform)
+    scale.SetInputData(surface)
+    scale.Update()
+    return scale.GetOutput()
+
+
+def preset_row(surface, view):
+    return [(of_size_one(result, surface.GetLength()), label, None, view) for result, label in
+            [(surface, "model")] + [(preset(surface, name), name) for name in presets.PRESETS]]
+
+
+# Real models in the public domain; the page names their sources.
+if (MODELS / "spot.ply").is_file() and wanted("presets.png"):
+    picture("presets.png", (1500, 600), [preset_row(model_files.read(path), view) for path, view in (
+        (ROOT / "Data" / "creature.vtp", 25.0), (MODELS / "spot.ply", 215.0), (MODELS / "nefertiti.ply", 25.0))],
+        25.0, 12)
+
+
+def points_of(surface):
+    return numpy_support.vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+
+
+def with_points(surface, points):
+    copy = surface.NewInstance()
+    copy.DeepCopy(surface)
+    copy.GetPoints().SetData(numpy_support.numpy_to_vtk(points, deep=True))
+    return copy
+
+
+def base_of(surface):
+    """[base]. The filter does not give it out, but where all targets are O, the base shrinks and no detail turns:
+    P' = P + m (O - B)."""
+    roundness = 0.01
+    m = 1.0 - 1.0 / (1.0 + np.sqrt(3.0) * roundness)
+    zeros = numpy_support.numpy_to_vtk(np.zeros((surface.GetNumberOfPoints(), 3)), deep=True)
+    zeros.SetName("Targets")
+    aimed = surface.NewInstance()
+    aimed.ShallowCopy(surface)
+    aimed.GetPointData().AddArray(zeros)
+    style = vtkSphericalStyleFilter()
+    style.SetInputArrayToProcess(3, 0, 0, 0, "Targets")
+    style = run(style, aimed, {"Roundness": roundness, "KeepSize": vtkSphericalStyleFilter.NO_SIZE,
+                               "OutputPointsPrecision": vtkSphericalStyleFilter.DOUBLE_PRECISION})
+    return np.array(style.GetEffectiveCenter()) + (points_of(surface) - points_of(style.GetOutput())) / m
+
+
+def steps(surface):
+    """Model, base, target, moved base, result, at the defaults."""
+    style = run(vtkSphericalStyleFilter(), surface, {})
+    mu = np.sqrt(3.0) * style.GetRoundness()
+    base = base_of(surface)
+    t = numpy_support.vtk_to_numpy(style.GetOutput().GetPointData().GetArray("TargetDirection"))
+    target = np.array(style.GetEffectiveCenter()) + style.GetEffectiveRadius() * t
+    return [(surface, "P, the model"), (with_points(surface, base), "B, its smooth base"),
+            (with_points(surface, target), "T, the target"),
+            (with_points(surface, (base + mu * target) / (1.0 + mu)), "B', blended"),
+            (style.GetOutput(), "P', with the details")]
+
+
+if wanted("method.png"):
+    picture("method.png", (1200, 300), [steps(creature)], 25.0, 12)
 
 top = cube.GetBounds()[3]
 center = [0.5 * (cube.GetBounds()[2 * i] + cube.GetBounds()[2 * i + 1]) for i in range(3)]
@@ -123,12 +192,12 @@ center = [0.5 * (cube.GetBounds()[2 * i] + cube.GetBounds()[2 * i + 1]) for i in
 
 def around(height):
     return rounded(cube, Roundness=1.0, CenterMode=vtkSphericalStyleFilter.CUSTOM_CENTER,
-                   Center=(center[0], top + height, center[2]))
+                   Center=(center[0], top + height, center[2]), **PLAIN)
 
 
 picture("center.png", (1000, 330), [[
     (cube, "model"),
-    (rounded(cube, Roundness=1.0), "center: Area Centroid"),
+    (rounded(cube, Roundness=1.0, **PLAIN), "center: Area Centroid"),
     (around(-0.15), "0.15 below the top"),
     (around(0.15), "0.15 above the top"),
 ]], 25.0, 13)
@@ -139,39 +208,14 @@ snowman = model_files.read(ROOT / "Data" / "snowman.vtp")
 def around_centers(surface):
     style = vtkSphericalStyleFilter()
     style.SetInputArrayToProcess(5, 0, 0, 0, "CenterId")
-    return run(style, surface, {"Roundness": 5.0}).GetOutput()
+    return run(style, surface, {"Roundness": 5.0, **PLAIN}).GetOutput()
 
 
-def part_by_part(surface):
-    """From the top down, the rest held (thesis 4.6.6)."""
-    part = numpy_support.vtk_to_numpy(surface.GetPointData().GetArray("CenterId"))
-    for number in (2, 1, 0):
-        mask = numpy_support.numpy_to_vtk((part == number).astype(np.int32), deep=True)
-        mask.SetName("Part")
-        surface.GetPointData().AddArray(mask)
-        style = vtkSphericalStyleFilter()
-        style.SetInputArrayToProcess(4, 0, 0, 0, "Part")
-        surface = run(style, surface, {"Roundness": 5.0, "BorderWidth": 0.0}).GetOutput()
-    return surface
-
-
-picture("snowman.png", (1000, 330), [[
+picture("snowman.png", (800, 330), [[
     (snowman, "model"),
-    (rounded(snowman, Roundness=5.0), "one center"),
+    (rounded(snowman, Roundness=5.0, **PLAIN), "one center"),
     (around_centers(snowman), "three centers"),
-    (part_by_part(snowman), "one part after the other"),
 ]], 25.0, 13)
-
-loose = model_files.read(ROOT / "Data" / "car.vtp")  # seven parts: body, wheels, lights
-picture("stitch.png", (1200, 300), [[(loose, "model")] + [
-    (rounded(loose, Roundness=roundness, DetailSize=0.03, SphericalWeighting=1,
-             ComponentCoupling=coupling), f"{name}, Roundness {roundness:g}")
-    for roundness in (0.5, 5.0)
-    for coupling, name in ((vtkSphericalStyleFilter.INDEPENDENT, "Independent"),
-                           (vtkSphericalStyleFilter.STITCHED, "Stitched"))
-]], 35.0, 12)
-
-MODELS = pathlib.Path(os.environ.get("SPHERICALSTYLE_MODELS", ROOT.parent / "shared" / "models"))
 
 
 def section(surface):
@@ -190,20 +234,21 @@ def section(surface):
 
 
 def wall_sections(name):
-    """The goblet, and what its wall becomes: Independent above, Stitched below."""
+    """The goblet, and what its wall becomes without and with details."""
     if not wanted(name) or not (MODELS / "goblet-vase.ply").is_file():
         return
-    goblet = demo.read(MODELS / "goblet-vase.ply")
-    figure, axes = plt.subplots(2, 3, figsize=(10.0, 6.4), layout="constrained", sharex=True, sharey=True)
-    for row, (coupling, how) in zip(axes, ((vtkSphericalStyleFilter.INDEPENDENT, "Independent"),
-                                           (vtkSphericalStyleFilter.STITCHED, "Stitched"))):
-        for axis, roundness in zip(row, (0.0, 0.5, 5.0)):
-            surface = rounded(goblet, Roundness=roundness, DetailSize=0.03, ComponentCoupling=coupling)
-            axis.add_collection(LineCollection(section(surface), colors="black", linewidths=1.0))
-            axis.set_title(f"{how}, Roundness {roundness:g}" if roundness else "model", fontsize=11)
-            axis.set_aspect("equal")
-            axis.autoscale()
-            axis.axis("off")
+    goblet = model_files.read(MODELS / "goblet-vase.ply")
+    panels = [("model", goblet)] + [
+        (f"DetailSize {size:g}, Roundness {roundness:g}",
+         rounded(goblet, Roundness=roundness, DetailSize=size, NormalBlend=0.0))
+        for size in (0.0, 0.06) for roundness in (1.0, 5.0)]
+    figure, axes = plt.subplots(1, len(panels), figsize=(14.0, 3.0), layout="constrained", sharex=True, sharey=True)
+    for axis, (title, surface) in zip(axes, panels):
+        axis.add_collection(LineCollection(section(surface), colors="black", linewidths=1.0))
+        axis.set_title(title, fontsize=10)
+        axis.set_aspect("equal")
+        axis.autoscale()
+        axis.axis("off")
     figure.savefig(HERE / "pictures" / name)
     quantize(HERE / "pictures" / name)
 
@@ -218,7 +263,7 @@ thirty = {"StopRule": vtkSphericalStyleFilter.FIXED_ITERATIONS, "MaximumNumberOf
 
 picture("nonlinear-stone.png", (1000, 330), [[
     (stone, "model"),
-    (rounded(stone, Roundness=1.0), "Linear"),
+    (rounded(stone, Roundness=1.0, **PLAIN), "Linear"),
     (rounded(stone, Roundness=1.0, **nonlinear, **thirty), "Nonlinear, 30 iterations"),
     (rounded(stone, Roundness=1.0, Tolerance=1e-6, **nonlinear), "Nonlinear, converged"),
 ]], 55.0, 13)
@@ -261,7 +306,7 @@ house = model_files.read(ROOT / "Data" / "stone-house.vtp")
 
 picture("car.png", (1200, 560), [[
     (car, "model"),
-    (rounded(car, Roundness=0.5), "Spherical Style, Roundness 0.5"),
+    (rounded(car), "Spherical Style"),
     (proxied(car, Blend=0.5), "Convex Proxy Deform, t = 0.5"),
 ], [
     (proxied(car, Blend=0.8), "t = 0.8"),
@@ -270,15 +315,14 @@ picture("car.png", (1200, 560), [[
 ]], 40.0, 14)
 
 # A real model, and so not among ours; the page names its source.
-if (MODELS / "car.ply").is_file():
+if (MODELS / "car.ply").is_file() and wanted("van.png"):
     van = model_files.read(MODELS / "car.ply")
-    picture("van.png", (1000, 620), [[
+    picture("van.png", (1200, 300), [[
         (van, "model"),
-        (proxied(van, Blend=0.5), "Convex Proxy Deform, t = 0.5"),
-    ], [
-        (rounded(van, Roundness=1.0), "Spherical Style, Roundness 1"),
-        (rounded(van, Roundness=1.0, RefineLongEdges=True), "with RefineLongEdges"),
-    ]], 60.0, 16)
+        (rounded(van, RefineLongEdges=vtkSphericalStyleFilter.NEVER), "RefineLongEdges Off"),
+        (rounded(van), "Automatic"),
+        (rounded(van, DetailSize=0.0), "Automatic, DetailSize 0"),
+    ]], 60.0, 12)
 
 picture("axis-gain.png", (1000, 330), [[
     (proxied(car), "t = 0.5"),
@@ -317,8 +361,8 @@ picture("head.png", (1100, 700), [[
 
 picture("house.png", (1200, 330), [[
     (house, "model"),
-    (proxied(house), "proxy, t = 0.5"),
-    (proxied(house, Projection=2), "proxy, Smallest Angle"),
+    (proxied(house, RefineLongEdges=vtkConvexProxyDeformFilter.NEVER), "proxy, t = 0.5"),
+    (proxied(house, RefineLongEdges=vtkConvexProxyDeformFilter.NEVER, Projection=2), "proxy, Smallest Angle"),
     (on_sphere(house, Coefficient=0.5), "sphere around the model, t = 0.5"),
 ]], 25.0, 13)
 
@@ -355,11 +399,12 @@ def with_share(surface, roundness):
 
 
 if wanted("fold-guard.png"):
-    strong = {"Roundness": 5.0, "NormalBlend": 1.0}
+    strong = {"Roundness": 5.0, "NormalBlend": 1.0, "DetailSize": 0.0, "KeepSize": vtkSphericalStyleFilter.NO_SIZE,
+              "NormalRadius": vtkSphericalStyleFilter.WHOLE_MODEL_RADIUS}
     guarded = rounded(creature, AvoidSelfIntersections=1, **strong)
     picture("fold-guard.png", (1200, 360), [[
         (creature, "model"),
-        (rounded(creature, **strong), "Roundness 5, NormalBlend 1"),
+        (rounded(creature, **strong), "Roundness 5, every limb a ball"),
         (guarded, "with AvoidSelfIntersections"),
         (with_share(guarded, 5.0), "kept: blue 1/500, yellow 1/22, red all"),
     ]], 25.0, 13, few_colors=False, make_actor=by_share)
@@ -369,7 +414,8 @@ if wanted("fold-guard.png"):
 
 def with_intersections(label, **properties):
     """A panel of the rounded creature with its intersecting triangles in red."""
-    surface = rounded(creature, Roundness=0.1, **properties)
+    surface = rounded(creature, Roundness=0.1, NormalRadius=vtkSphericalStyleFilter.WHOLE_MODEL_RADIUS,
+                      **{**PLAIN, **properties})
     metrics = run(vtkSurfaceMetrics(), surface, {"ReferenceData": creature})
     found = vtkThreshold()
     found.SetInputData(metrics.GetOutput())
@@ -432,13 +478,13 @@ def gauss_panels(surface, label):
 
 
 columns = [gauss_panels(surface, label) for surface, label in (
-    (cube, "cube"), (creature, "creature"), (rounded(creature, Roundness=0.5), "Roundness 0.5"),
-    (rounded(creature, Roundness=5.0), "Roundness 5"))]
+    (cube, "cube"), (creature, "creature"), (rounded(creature, Roundness=0.5, **PLAIN), "Roundness 0.5"),
+    (rounded(creature, Roundness=5.0, **PLAIN), "Roundness 5"))]
 picture("gauss-map.png", (800, 620), list(zip(*columns)), 25.0, 12, few_colors=False,
         make_actor=lambda actor: actor)
 
 # -------------------------------------------------------------------------------------- comparators
-ours = (rounded(creature, Roundness=0.5, DetailSize=0.03), "Spherical Style, Roundness 0.5")
+ours = (rounded(creature), "Spherical Style")
 
 picture("cubic-style.png", (1200, 300), [[(creature, "model"), ours] + [
     (cubic(creature, Cubeness=cubeness, StopRule=vtkCubicStyleFilter.FIXED_ITERATIONS,
