@@ -65,7 +65,6 @@ namespace vtkFoldGuard
 Result Solve(SphericalStyleMethod& solver, const MethodOptions& wanted, const TriangleMesh& rest,
   bool singlePrecision, const Finish& finish, const Callback& callback)
 {
-  const MethodOptions& options = wanted;
   const IntersectionSearch search = Search();
   const Stopwatch watch;
   Result result;
@@ -74,7 +73,7 @@ Result Solve(SphericalStyleMethod& solver, const MethodOptions& wanted, const Tr
   const Callback onward = [&](int, double change) { return callback(++iterations, change); };
   const ShareSolve solve = [&](const Eigen::VectorXd& shares)
   {
-    const MethodOptions shared = WithShares(options, shares);
+    const MethodOptions shared = WithShares(wanted, shares);
     result.Style = solver.Solve(shared, onward);
     result.Roundness = Roundness(shared, shares.size());
     // Closed forms have no iteration, and the search that comes takes longer than one.
@@ -83,7 +82,7 @@ Result Solve(SphericalStyleMethod& solver, const MethodOptions& wanted, const Tr
   };
   FoldGuardOptions guard;
   guard.singlePrecision = singlePrecision;
-  guard.threads = options.threads;
+  guard.threads = wanted.threads;
   result.Guard = SolveWithoutFolds(rest, guard, search, solve);
   result.Positions = result.Guard.aborted ? finish(solver.GetPositions()) : result.Guard.positions;
   result.Seconds = watch.Seconds();

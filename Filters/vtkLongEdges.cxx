@@ -3,7 +3,6 @@
 #include "vtkLongEdges.h"
 
 #include "Advice.h"
-
 #include "Frame.h"
 
 #include "vtkAdaptiveSubdivisionFilter.h"

@@ -5,6 +5,7 @@
 #include "Advice.h"
 #include "NonlinearFeature.h"
 #include "SphericalStyleMethod.h"
+#include "SurfaceGrid.h"
 #include "vtkFilterSupport.h"
 #include "vtkFoldGuard.h"
 #include "vtkLongEdges.h"
@@ -61,9 +62,6 @@ enum InputArrays
 
 // More are a mistake, such as the array of another purpose; each costs one more field to smooth.
 constexpr std::size_t MaximumNumberOfCenters = 256;
-
-// A grid of this spacing is made for a detail size of so many of them [grid].
-constexpr double GridSpacingsPerSize = 1.5;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr vtkSurfaceMeshConversion::ArrayRule ArrayRules[] = {
@@ -491,7 +489,8 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
     std::ostringstream text;
     text << "DetailSize " << self->DetailSize
          << " is too small for the area of this model: the base is "
-         << "as smooth as with DetailSize " << GridSpacingsPerSize * report.gridSpacing
+         << "as smooth as with DetailSize "
+         << SphericalStyle::SurfaceGrid::SpacingsPerSize * report.gridSpacing
          << "; take that or more, or details smaller than it count as base";
     warn(text.str());
   }

@@ -153,9 +153,8 @@ void ClosedFormStyle::State::UpdateGrid(const ClosedFormOptions& o, ClosedFormRe
       const std::vector<GridPair> walls = FindWalls(this->Grid, *this->P, outward, o.threads);
       this->Walls = static_cast<int>(walls.size());
       this->Grid.Factor(walls, o.threads);
-      const Fields once = this->Grid.Smooth(this->Grid.GetPlaces(), o.threads);
-      const Fields twice = this->Grid.Smooth(this->Grid.AtSamples(once, o.threads), o.threads);
-      this->Base = this->Grid.AtPoints(twice, *this->P, o.threads);
+      const Fields base = this->Grid.SmoothTwice(this->Grid.GetPlaces(), o.threads);
+      this->Base = this->Grid.AtPoints(base, *this->P, o.threads);
       this->KeepWhatIsUnknown(o.threads);
       this->Gradients = this->Grid.Gradients(this->Base, o.threads);
     }
@@ -173,8 +172,8 @@ void ClosedFormStyle::State::UpdateGrid(const ClosedFormOptions& o, ClosedFormRe
 void ClosedFormStyle::State::KeepWhatIsUnknown(int threads)
 {
   const Fields ones = Fields::Ones(this->Grid.GetNumberOfSamples(), 1);
-  const Fields once = this->Grid.AtSamples(this->Grid.Smooth(ones, threads), threads);
-  const Fields known = this->Grid.AtPoints(this->Grid.Smooth(once, threads), *this->P, threads);
+  const Fields known =
+    this->Grid.AtPoints(this->Grid.SmoothTwice(ones, threads), *this->P, threads);
   for (Eigen::Index i = 0; i < known.rows(); ++i)
   {
     const double share =
@@ -249,11 +248,9 @@ void ClosedFormStyle::State::UpdateShares(const ClosedFormOptions& o)
     if (o.centerBlend > 0.0)
     {
       this->CenterGrid.Factor({}, o.threads);
-      const Fields once =
-        this->CenterGrid.Smooth(this->CenterGrid.Means(this->Shares, o.threads), o.threads);
-      const Fields twice =
-        this->CenterGrid.Smooth(this->CenterGrid.AtSamples(once, o.threads), o.threads);
-      this->Shares = this->CenterGrid.AtPoints(twice, *this->P, o.threads).cwiseMax(0.0);
+      const Fields smooth =
+        this->CenterGrid.SmoothTwice(this->CenterGrid.Means(this->Shares, o.threads), o.threads);
+      this->Shares = this->CenterGrid.AtPoints(smooth, *this->P, o.threads).cwiseMax(0.0);
       this->Shares.array().colwise() /= this->Shares.rowwise().sum().array().eval();
     }
     this->CenterGrid.FactorPoisson(o.threads);
@@ -457,8 +454,7 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
         Eigen::Map<Eigen::Matrix3d>(S.row(k).data()) = covariance; // column by column
       }
     });
-  const Fields once = this->Grid.Smooth(S, o.threads);
-  const Fields smooth = this->Grid.Smooth(this->Grid.AtSamples(once, o.threads), o.threads);
+  const Fields smooth = this->Grid.SmoothTwice(S, o.threads);
   const int n = static_cast<int>(P0.rows());
   if (o.keepRotations)
   {
@@ -654,9 +650,8 @@ ClosedFormReport ClosedFormStyle::Carry(const Points& Q, const ClosedFormOptions
   s.Moved = Q;
   if (s.Size > 0.0)
   {
-    const Fields once = s.Grid.Smooth(s.Grid.Means(Q, options.threads), options.threads);
-    const Fields twice = s.Grid.Smooth(s.Grid.AtSamples(once, options.threads), options.threads);
-    s.Moved = s.Grid.AtPoints(twice, *s.P, options.threads);
+    const Fields base = s.Grid.SmoothTwice(s.Grid.Means(Q, options.threads), options.threads);
+    s.Moved = s.Grid.AtPoints(base, *s.P, options.threads);
   }
   s.CarryDetails(options);
   s.Place(options, report);

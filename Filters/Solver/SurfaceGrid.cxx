@@ -204,6 +204,17 @@ inline SurfaceGrid::Place SurfaceGrid::Locate(const Eigen::RowVector3d& x) const
 
 namespace
 {
+/// Of 27, from the place in a cell.
+int SubCellOf(const Eigen::Vector3d& t)
+{
+  int sub = 0;
+  for (int axis = 2; axis >= 0; --axis)
+  {
+    sub = SubCells * sub + std::clamp(static_cast<int>(SubCells * t(axis)), 0, SubCells - 1);
+  }
+  return sub;
+}
+
 int BoxIndex(const std::array<int, 3>& half, const std::array<int, 3>& cell)
 {
   return cell[0] + (2 * half[0] + 1) * (cell[1] + (2 * half[1] + 1) * cell[2]);
@@ -285,11 +296,7 @@ void SurfaceGrid::Splatter::Add(const Place& place, const SurfaceGrid& grid, int
   std::size_t first, const Eigen::Vector3d& share, Parts& parts)
 {
   const int box = BoxIndex(grid.Half, place.cell);
-  int sub = 0;
-  for (int axis = 2; axis >= 0; --axis)
-  {
-    sub = SubCells * sub + std::clamp(static_cast<int>(SubCells * place.t(axis)), 0, SubCells - 1);
-  }
+  const int sub = SubCellOf(place.t);
   for (std::size_t i = first; i < parts.parts.size(); ++i)
   {
     const Part& part = parts.parts[i];
@@ -356,13 +363,8 @@ void SurfaceGrid::Splatter::Cut(int triangle, Parts& parts) const
     { return this->Grid.Locate(x).cell == place.cell; };
     if (isHere(a) && isHere(b) && isHere(c))
     {
-      int sub = 0;
-      for (int axis = 2; axis >= 0; --axis)
-      {
-        sub =
-          SubCells * sub + std::clamp(static_cast<int>(SubCells * place.t(axis)), 0, SubCells - 1);
-      }
-      parts.parts.push_back({ BoxIndex(this->Grid.Half, place.cell), triangle, sub, -1 });
+      parts.parts.push_back(
+        { BoxIndex(this->Grid.Half, place.cell), triangle, SubCellOf(place.t), -1 });
       return;
     }
   }
@@ -989,6 +991,11 @@ Fields SurfaceGrid::Gradients(const Points& X, int threads) const
 Fields SurfaceGrid::Smooth(const Fields& X, int threads) const
 {
   return this->Solve(X, Fields(0, 0), threads);
+}
+
+Fields SurfaceGrid::SmoothTwice(const Fields& X, int threads) const
+{
+  return this->Smooth(this->AtSamples(this->Smooth(X, threads), threads), threads);
 }
 
 Fields SurfaceGrid::Solve(const Fields& X, const Fields& Y, int threads) const

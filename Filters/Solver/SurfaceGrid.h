@@ -58,6 +58,8 @@ public:
   /// Most functions; beyond, the spacing grows until there are no more. Their factor takes about 2
   /// s and 1 GB.
   static constexpr int MaximumNumberOfFunctions = 60000;
+  /// s / h
+  static constexpr double SpacingsPerSize = 1.5;
 
   SurfaceGrid() = default;
   /// Splats the triangles. @param P  n x 3, in the frame @param F  m x 3, m > 0; those without area
@@ -71,7 +73,7 @@ public:
   /// not count
   /// @throw SolverError
   void Factor(const std::vector<GridPair>& pairs, int threads);
-  /// The same for K + M alone, to integrate gradients.
+  /// The same for K + 1e-6 M, to integrate gradients.
   void FactorPoisson(int threads);
 
   double GetSize() const { return this->Size; }
@@ -94,6 +96,8 @@ public:
   Fields Gradients(const Points& X, int threads) const;
   /// Coefficients of the field nearest to X. @param X  samples x c @return functions x c
   Fields Smooth(const Fields& X, int threads) const;
+  /// The same of what one step has made of X: two implicit steps.
+  Fields SmoothTwice(const Fields& X, int threads) const;
   /// The same for any right-hand side sum_k (w_k phi X_k + grad phi . Y_k); Y may have no rows.
   /// @param Y  samples x 3 c, the vector of component j at 3 j
   Fields Solve(const Fields& X, const Fields& Y, int threads) const;
@@ -103,7 +107,6 @@ public:
   Fields AtPoints(const Fields& coefficients, const Points& x, int threads) const;
 
 private:
-  static constexpr double SpacingsPerSize = 1.5;
   class Splatter;
   struct Place; // of a point in the grid
 
