@@ -151,12 +151,6 @@ double AbsoluteCurvature(const TriangleMesh& mesh, const Eigen::VectorXd& angleS
   }
   return sum / (4.0 * Pi);
 }
-
-bool UsesNormals(const StyleOptions& o)
-{
-  return o.targets.rows() == 0 &&
-    (o.normalBlends.size() > 0 ? o.normalBlends.maxCoeff() : o.normalBlend) > 0.0;
-}
 }
 
 double LongEdgeShare(const TriangleMesh& mesh)
@@ -216,7 +210,7 @@ ResultFacts MeasureResult(
 {
   ResultFacts facts;
   // Several need not be star-shaped around any; with normals limbs are round by themselves.
-  if (report.spheres.size() == 1 && (!UsesNormals(o) || o.centerMode == CenterMode::Custom))
+  if (report.spheres.size() == 1 && (!o.UsesNormals() || o.centerMode == CenterMode::Custom))
   {
     MeasureCenter(mesh, report.sphere.center, o.threads, facts);
   }
@@ -247,7 +241,7 @@ std::string Advise(
   };
   // What spoils the result comes before what is only not as good as it could be.
   const Rule rules[] = {
-    { turned && UsesNormals(o), "lower NormalBlend: " + turnedOver },
+    { turned && o.UsesNormals(), "lower NormalBlend: " + turnedOver },
     { turned && o.edgeWeighting == EdgeWeighting::FullEdge,
       "EdgeWeighting HalfEdge: " + turnedOver },
     { surface.components > 1 && o.componentCoupling == ComponentCoupling::Independent,
@@ -268,7 +262,7 @@ std::string Advise(
         " of the area has edges above a tenth of the diagonal" },
     { o.detailSize == 0.0 && surface.curvature >= CurvatureLimit && result.relief < ReliefLimit,
       "DetailSize 0.06: details keep " + Percent(result.relief) + " of their height" },
-    { facingAway && !UsesNormals(o),
+    { facingAway && !o.UsesNormals(),
       "several centers (center ids): " + Percent(result.facingAwayShare) +
         " of the surface faces away from the center" },
   };

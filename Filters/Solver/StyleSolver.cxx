@@ -38,12 +38,6 @@ void Require(bool condition, const char* message)
     throw std::invalid_argument(message);
   }
 }
-
-int NumberOfCenters(const StyleOptions& o)
-{
-  return o.centerIds.empty() ? 1 : 1 + *std::max_element(o.centerIds.begin(), o.centerIds.end());
-}
-
 }
 
 void CheckOptions(const StyleOptions& o, int n)
@@ -80,7 +74,7 @@ void CheckOptions(const StyleOptions& o, int n)
   {
     Require(id >= 0, "center ids must not be negative");
   }
-  Require(o.centers.rows() == 0 || o.centers.rows() == NumberOfCenters(o),
+  Require(o.centers.rows() == 0 || o.centers.rows() == o.NumberOfCenters(),
     "one center per center id is needed");
   Require(o.centers.allFinite(), "centers must be finite");
   Require(
@@ -134,7 +128,6 @@ public:
   void Forget();
   void UpdateTriangles(const EnergyTriangleOptions& options);
   void UpdateShares(const StyleOptions& options);
-  std::vector<Sphere> Spheres(const StyleOptions& options) const;
   Points Directions(
     const StyleOptions& options, const Eigen::Vector3d& center, std::vector<int>& onCenter) const;
   HalfEdgeField Targets(const StyleOptions& options, StyleReport& report);
@@ -236,7 +229,7 @@ void StyleSolver::State::UpdateShares(const StyleOptions& options)
     return;
   }
   this->CenterIds.clear();
-  const int centers = NumberOfCenters(options);
+  const int centers = options.NumberOfCenters();
   this->Shares.resize(this->P.rows(), 0);
   if (centers > 1)
   {
@@ -247,37 +240,6 @@ void StyleSolver::State::UpdateShares(const StyleOptions& options)
   }
   this->CenterIds = options.centerIds;
   this->CenterBlend = options.centerBlend;
-}
-
-/// The target sphere of each center, in the frame.
-std::vector<Sphere> StyleSolver::State::Spheres(const StyleOptions& options) const
-{
-  const Frame& frame = this->MeshFrame;
-  const Sphere custom = { (options.custom.center - frame.origin.transpose()) / frame.scale,
-    options.custom.radius / frame.scale };
-  const int centers = NumberOfCenters(options);
-  const bool ofAll = !options.sphereOfFreePoints || options.fixedPoints.empty();
-  if (centers == 1 && ofAll)
-  {
-    return { TargetSphere(this->P, this->Given.F, options.centerMode, options.radiusMode, custom) };
-  }
-  std::vector<int> parts = options.centerIds;
-  parts.resize(this->P.rows(), 0);
-  if (!ofAll)
-  {
-    for (const int i : options.fixedPoints)
-    {
-      parts[i] = -1;
-    }
-  }
-  std::vector<Sphere> spheres = TargetSpheres(
-    this->P, this->Given.F, parts, centers, options.centerMode, options.radiusMode, custom);
-  const Points given = frame.Into(options.centers);
-  for (Eigen::Index k = 0; k < given.rows(); ++k)
-  {
-    spheres[k].center = given.row(k);
-  }
-  return spheres;
 }
 
 /// t [symbols] for one center.
@@ -304,7 +266,7 @@ Points StyleSolver::State::Directions(
 /// tau [energy] from every center; and t, of several centers by their shares.
 HalfEdgeField StyleSolver::State::Targets(const StyleOptions& options, StyleReport& report)
 {
-  report.spheres = this->Spheres(options);
+  report.spheres = SpheresOfCenters(this->P, this->Given.F, options.Into(this->MeshFrame));
   report.sphere = report.spheres.front();
   const Triangles& F = this->SummedTriangles();
   const bool keep = options.concaveEdges == ConcaveEdges::Keep;

@@ -33,14 +33,9 @@ enum class InitialGuess
   Rest   ///< the rest points (thesis)
 };
 
-/// What the user wants. Lengths and positions are in model units. Arrays of 0 rows mean "none".
-struct StyleOptions
+/// What the user wants, in model units.
+struct StyleOptions : TargetOptions
 {
-  double lambda = 0.5;      ///< roundness, >= 0
-  double normalBlend = 0.0; ///< a, 0..1
-  CenterMode centerMode = CenterMode::PointMean;
-  RadiusMode radiusMode = RadiusMode::EqualArea;
-  Sphere custom; ///< for the Custom modes
   SphericalWeighting sphericalWeighting = SphericalWeighting::Uniform;
   ConcaveEdges concaveEdges = ConcaveEdges::Keep;
   EdgeWeighting edgeWeighting = EdgeWeighting::HalfEdge;
@@ -49,19 +44,8 @@ struct StyleOptions
   InitialGuess initialGuess = InitialGuess::Blend;
   LoopOptions loop;
   LinearMethod linearMethod = LinearMethod::Automatic;
-  int threads = 1;
 
-  Eigen::VectorXd roundnessFactors; ///< n, >= 0: lambda_i = lambda * factor
-  Eigen::VectorXd normalBlends;     ///< n, 0..1: replaces a
-  Points normals;                   ///< n x 3 unit normals; computed where absent
-  Points targets;                   ///< n x 3, replaces t
-  std::vector<int> fixedPoints;     ///< points that keep fixedPositions, exactly
-  Points fixedPositions;            ///< one row per fixed point
-  bool sphereOfFreePoints = false;  ///< O and r from the points that are not fixed alone
-
-  std::vector<int> centerIds; ///< n, 0..K-1: the center that a point follows; none: one for all
-  Points centers;             ///< K x 3, replace what centerMode gives; not for one center
-  double centerBlend = 0.0;   ///< fraction of the diagonal over which centers pass into each other
+  Points fixedPositions; ///< one row per fixed point, where it is exactly
 
   /// Another style in the local step; with lambda = 0 it is the whole style. Starts from rest: the
   /// blend is not near its minimum. Counts as the second term of the history.

@@ -10,6 +10,28 @@
 
 namespace SphericalStyle
 {
+int TargetOptions::NumberOfCenters() const
+{
+  return this->centerIds.empty()
+    ? 1
+    : 1 + *std::max_element(this->centerIds.begin(), this->centerIds.end());
+}
+
+bool TargetOptions::UsesNormals() const
+{
+  return this->targets.rows() == 0 &&
+    (this->normalBlends.size() > 0 ? this->normalBlends.maxCoeff() : this->normalBlend) > 0.0;
+}
+
+TargetOptions TargetOptions::Into(const Frame& frame) const
+{
+  TargetOptions framed = *this;
+  framed.custom = { (this->custom.center - frame.origin.transpose()) / frame.scale,
+    this->custom.radius / frame.scale };
+  framed.centers = frame.Into(this->centers);
+  return framed;
+}
+
 Sphere TargetSphere(
   const Points& P, const Triangles& F, CenterMode center, RadiusMode radius, const Sphere& custom)
 {
@@ -117,6 +139,33 @@ std::vector<Sphere> TargetSpheres(const Points& P, const Triangles& F,
     {
       throw PartWithoutSphere(part, error.what());
     }
+  }
+  return spheres;
+}
+
+std::vector<Sphere> SpheresOfCenters(
+  const Points& P, const Triangles& F, const TargetOptions& options)
+{
+  const int centers = options.NumberOfCenters();
+  const bool ofAll = !options.sphereOfFreePoints || options.fixedPoints.empty();
+  if (centers == 1 && ofAll)
+  {
+    return { TargetSphere(P, F, options.centerMode, options.radiusMode, options.custom) };
+  }
+  std::vector<int> parts = options.centerIds;
+  parts.resize(P.rows(), 0);
+  if (!ofAll)
+  {
+    for (const int i : options.fixedPoints)
+    {
+      parts[i] = -1;
+    }
+  }
+  std::vector<Sphere> spheres =
+    TargetSpheres(P, F, parts, centers, options.centerMode, options.radiusMode, options.custom);
+  for (Eigen::Index k = 0; k < options.centers.rows(); ++k)
+  {
+    spheres[k].center = options.centers.row(k);
   }
   return spheres;
 }

@@ -5,6 +5,7 @@
 #ifndef SphericalStyle_TargetDirections_h
 #define SphericalStyle_TargetDirections_h
 
+#include "Frame.h"
 #include "MeshTopology.h"
 
 namespace SphericalStyle
@@ -37,6 +38,36 @@ struct Sphere
   double radius = 1.0;                              ///< r > 0
 };
 
+/// Where the surface is drawn, and how strongly. Lengths and positions are in one unit, that of the
+/// model or of its frame. Arrays of 0 rows mean "none".
+struct TargetOptions
+{
+  double lambda = 0.5;      ///< roundness, >= 0
+  double normalBlend = 0.0; ///< a, 0..1
+  CenterMode centerMode = CenterMode::PointMean;
+  RadiusMode radiusMode = RadiusMode::EqualArea;
+  Sphere custom; ///< for the Custom modes
+
+  Eigen::VectorXd roundnessFactors; ///< n, >= 0: lambda_i = lambda * factor
+  Eigen::VectorXd normalBlends;     ///< n, 0..1: replaces a
+  Points normals;                   ///< n x 3 unit normals; computed where absent
+  Points targets;                   ///< n x 3, replaces t
+  std::vector<int> fixedPoints;     ///< points outside of the region: they stay
+  bool sphereOfFreePoints = false;  ///< O and r from the points that are not fixed alone
+
+  std::vector<int> centerIds; ///< n, 0..K-1: the center that a point follows; none: one for all
+  Points centers;             ///< K x 3, replace what centerMode gives; not for one center
+  double centerBlend = 0.0;   ///< fraction of the diagonal over which centers pass into each other
+
+  int threads = 1;
+
+  int NumberOfCenters() const;
+  /// Whether normals have a say anywhere.
+  bool UsesNormals() const;
+  /// The same in the units of a frame.
+  TargetOptions Into(const Frame& frame) const;
+};
+
 /// @param custom  what the Custom modes take
 /// @throw std::invalid_argument when the radius is not above zero
 Sphere TargetSphere(
@@ -65,11 +96,16 @@ std::vector<Sphere> TargetSpheres(const Points& P, const Triangles& F,
   const std::vector<int>& parts, int numberOfParts, CenterMode center, RadiusMode radius,
   const Sphere& custom);
 
+/// The target sphere of each center, from points and options in one unit.
+/// @throw PartWithoutSphere, std::invalid_argument
+std::vector<Sphere> SpheresOfCenters(
+  const Points& P, const Triangles& F, const TargetOptions& options);
+
 /// d_i = (p_i - O) / |p_i - O| (Eq. 4.4). A point within 1e-12 diagonals of O has no direction: it
 /// takes the mean over the other corners of its triangles (zero when they surround it evenly).
 /// @param onCenter  those points, ascending
-Points CenterDirections(const Points& P, const Triangles& F, const Eigen::Vector3d& O,
-  std::vector<int>& onCenter);
+Points CenterDirections(
+  const Points& P, const Triangles& F, const Eigen::Vector3d& O, std::vector<int>& onCenter);
 
 /// t_i = (1 - a_i) d_i + a_i n_i (Eq. 4.6), a of one entry per point.
 Points BlendDirections(const Points& d, const Points& n, const Eigen::VectorXd& a);
