@@ -764,9 +764,12 @@ int vtkSphericalStyleFilter::Execute(
   Points Q;
   report = internal->Solve(
     this, surface, inputs, region, regionWeights,
-    [this](int iteration, double)
+    [this](int step, double)
     {
-      this->UpdateProgress(1.0 - 0.8 / (1.0 + 0.1 * iteration));
+      if (!Aborted(this))
+      {
+        this->UpdateProgress(1.0 - 0.8 / (1.0 + 0.1 * step));
+      }
       return !Aborted(this);
     },
     Q);

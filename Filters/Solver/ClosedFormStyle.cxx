@@ -24,38 +24,17 @@ namespace
 /// Of the area of B' to that of what is carried on it, seen along the turned normal: below it
 /// details give way.
 constexpr double SmallestStretch = 0.5;
+/// Of the normals around, |mean| to mean of lengths: below it, as where the two sides of a thin
+/// wall cancel, a normal fades.
+constexpr double LeastAgreement = 0.2;
 /// The base counts in full where smoothing takes 1 to within 1 %, and not where it is off by 3 %.
 constexpr double MostKnown = 1.5;
 constexpr double LossOfKnown = 50.0;
 constexpr int RoundsOfYield = 2;
-/// Of the norm: the root of a smooth field of fourth powers is near to the largest around.
-constexpr int SharpnessOfYield = 4;
+/// Smooth share of yielding places below which their say fades: how far from a crease details give
+/// way.
+constexpr double FewYields = 0.01;
 using Gradient = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
-
-/// Area vector of the image of an area vector N of the rest surface, G the gradient of the map.
-Eigen::Vector3d AreaVectorOf(const Gradient& G, const Eigen::Vector3d& N)
-{
-  const double length = N.norm();
-  if (!(length > 0.0))
-  {
-    return Eigen::Vector3d::Zero();
-  }
-  const Eigen::Vector3d m = N / length;
-  const Eigen::Vector3d u = m.unitOrthogonal();
-  return length * (G * u).cross(G * m.cross(u));
-}
-
-int NumberOfCenters(const ClosedFormOptions& o)
-{
-  return o.centerIds.empty() ? 1 : 1 + *std::max_element(o.centerIds.begin(), o.centerIds.end());
-}
-
-/// Whether normals have a say anywhere.
-bool UsesNormals(const ClosedFormOptions& o)
-{
-  return o.targets.rows() == 0 &&
-    (o.normalBlends.size() > 0 ? o.normalBlends.maxCoeff() > 0.0 : o.normalBlend > 0.0);
-}
 }
 
 class ClosedFormStyle::State
@@ -89,6 +68,8 @@ public:
   SurfaceGrid CenterGrid;
   Fields Shares;
   // Of the last solve.
+  Callback Asked;
+  int Steps = 0;
   Points T; // directions t
   Points Targets;
   Points Moved; // B'
@@ -96,6 +77,8 @@ public:
   Matrices R;
 
   const Points& GetBase() const { return this->Size > 0.0 ? this->Base : *this->P; }
+  void Start(const Callback& callback);
+  void Step();
   const Triangles& Outward();
   void UpdateGrid(const ClosedFormOptions& o, ClosedFormReport& report);
   void KeepWhatIsUnknown(int threads);
@@ -112,6 +95,20 @@ public:
   bool Yield(const ClosedFormOptions& o, const Points& turned, const Eigen::VectorXd& areas);
   void Place(const ClosedFormOptions& o, ClosedFormReport& report);
 };
+
+void ClosedFormStyle::State::Start(const Callback& callback)
+{
+  this->Asked = callback;
+  this->Steps = 0;
+}
+
+void ClosedFormStyle::State::Step()
+{
+  if (this->Asked && !this->Asked(++this->Steps, 0.0))
+  {
+    throw SolveAborted{};
+  }
+}
 
 /// The triangles, made to agree on their outside and turned so that the volume is positive.
 const Triangles& ClosedFormStyle::State::Outward()
@@ -149,14 +146,19 @@ void ClosedFormStyle::State::UpdateGrid(const ClosedFormOptions& o, ClosedFormRe
     if (o.detailSize > 0.0)
     {
       const Triangles& outward = this->Outward();
+      this->Step();
       this->Grid = SurfaceGrid(*this->P, outward, o.detailSize, o.threads);
+      this->Step();
       const std::vector<GridPair> walls = FindWalls(this->Grid, *this->P, outward, o.threads);
       this->Walls = static_cast<int>(walls.size());
+      this->Step();
       this->Grid.Factor(walls, o.threads);
+      this->Step();
       const Fields base = this->Grid.SmoothTwice(this->Grid.GetPlaces(), o.threads);
       this->Base = this->Grid.AtPoints(base, *this->P, o.threads);
       this->KeepWhatIsUnknown(o.threads);
       this->Gradients = this->Grid.Gradients(this->Base, o.threads);
+      this->Step();
     }
     this->Size = o.detailSize;
   }
@@ -201,18 +203,20 @@ void ClosedFormStyle::State::UpdateNormals(const ClosedFormOptions& o)
     this->Normals = PointNormals(*this->P, this->Outward());
     return;
   }
-  const int samples = this->Grid.GetNumberOfSamples();
-  Fields normals(samples, 3);
-  for (int k = 0; k < samples; ++k)
+  const Points vectors = this->Grid.AreaVectorsUnder(this->Gradients, o.threads);
+  Fields means(vectors.rows(), 4);
+  means << vectors, vectors.rowwise().norm();
+  means = this->Grid.GetWeights().cwiseInverse().asDiagonal() * means;
+  const Fields smooth =
+    this->Grid.AtPoints(this->Grid.SmoothByTwicing(means, o.threads), *this->P, o.threads);
+  this->Normals = Points::Zero(smooth.rows(), 3);
+  for (Eigen::Index i = 0; i < smooth.rows(); ++i)
   {
-    normals.row(k) =
-      AreaVectorOf(Gradient(this->Gradients.row(k).data()), this->Grid.GetAreaVectors().row(k)) /
-      this->Grid.GetWeights()(k);
-  }
-  this->Normals = this->Grid.AtPoints(this->Grid.Smooth(normals, o.threads), *this->P, o.threads);
-  for (Eigen::Index i = 0; i < this->Normals.rows(); ++i)
-  {
-    this->Normals.row(i) = this->Normals.row(i).stableNormalized().eval();
+    const double length = std::max(smooth.row(i).head<3>().norm(), LeastAgreement * smooth(i, 3));
+    if (length > 0.0)
+    {
+      this->Normals.row(i) = smooth.row(i).head<3>() / length;
+    }
   }
 }
 
@@ -223,12 +227,13 @@ void ClosedFormStyle::State::UpdateThickness(const ClosedFormOptions& o, double 
   {
     this->Thickness = LimbThickness(*this->P, this->GetBase(), this->Outward(), radius, o.threads);
     this->ThicknessRadius = radius;
+    this->Step();
   }
 }
 
 void ClosedFormStyle::State::UpdateShares(const ClosedFormOptions& o)
 {
-  const int centers = NumberOfCenters(o);
+  const int centers = o.NumberOfCenters();
   if (o.centerIds == this->CenterIds && o.centerBlend == this->CenterBlend)
   {
     return;
@@ -254,6 +259,7 @@ void ClosedFormStyle::State::UpdateShares(const ClosedFormOptions& o)
       this->Shares.array().colwise() /= this->Shares.rowwise().sum().array().eval();
     }
     this->CenterGrid.FactorPoisson(o.threads);
+    this->Step();
   }
   this->CenterIds = o.centerIds;
   this->CenterBlend = o.centerBlend;
@@ -281,28 +287,12 @@ Sphere ClosedFormStyle::State::SphereOfAll(const ClosedFormOptions& o)
 /// The target sphere of each center.
 std::vector<Sphere> ClosedFormStyle::State::Spheres(const ClosedFormOptions& o)
 {
-  const int centers = NumberOfCenters(o);
   const bool ofAll = !o.sphereOfFreePoints || o.fixedPoints.empty();
-  if (centers == 1 && ofAll)
+  if (o.NumberOfCenters() == 1 && ofAll)
   {
     return { this->SphereOfAll(o) };
   }
-  std::vector<int> parts = o.centerIds;
-  parts.resize(this->P->rows(), 0);
-  if (!ofAll)
-  {
-    for (const int i : o.fixedPoints)
-    {
-      parts[i] = -1;
-    }
-  }
-  std::vector<Sphere> spheres =
-    TargetSpheres(this->GetBase(), *this->F, parts, centers, o.centerMode, o.radiusMode, o.custom);
-  for (Eigen::Index k = 0; k < o.centers.rows(); ++k)
-  {
-    spheres[k].center = o.centers.row(k);
-  }
-  return spheres;
+  return SpheresOfCenters(this->GetBase(), *this->F, o);
 }
 
 /// t = (T - O) / r for one center [toy].
@@ -314,7 +304,7 @@ Points ClosedFormStyle::State::Directions(
     return o.targets;
   }
   Points t = CenterDirections(this->GetBase(), *this->F, sphere.center, onCenter);
-  if (!UsesNormals(o))
+  if (!o.UsesNormals())
   {
     return t;
   }
@@ -362,7 +352,7 @@ void ClosedFormStyle::State::JoinCenters(
 void ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFormReport& report)
 {
   report.spheres = this->Spheres(o);
-  if (UsesNormals(o))
+  if (o.UsesNormals())
   {
     this->UpdateNormals(o);
     if (o.normalRadius == NormalRadius::OwnThickness)
@@ -434,6 +424,8 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
   }
   const int samples = this->Grid.GetNumberOfSamples();
   const Fields moved = this->Grid.Gradients(this->Moved, o.threads);
+  const Points before = this->Grid.AreaVectorsUnder(this->Gradients, o.threads);
+  const Points after = this->Grid.AreaVectorsUnder(moved, o.threads);
   Fields S(samples, 9);
   ParallelFor(samples, o.threads,
     [&](int begin, int end)
@@ -442,14 +434,12 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
       {
         const Gradient G(this->Gradients.row(k).data());
         const Gradient H(moved.row(k).data());
-        const Eigen::Vector3d N = this->Grid.GetAreaVectors().row(k);
-        const Eigen::Vector3d before = AreaVectorOf(G, N);
-        const Eigen::Vector3d after = AreaVectorOf(H, N);
         Eigen::Matrix3d covariance = G * H.transpose();
-        const double size = std::sqrt(before.norm() * after.norm());
+        const double size = std::sqrt(before.row(k).norm() * after.row(k).norm());
         if (size > 0.0)
         {
-          covariance += before * after.transpose() / (size * this->Grid.GetWeights()(k));
+          covariance +=
+            before.row(k).transpose() * after.row(k) / (size * this->Grid.GetWeights()(k));
         }
         Eigen::Map<Eigen::Matrix3d>(S.row(k).data()) = covariance; // column by column
       }
@@ -492,7 +482,7 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
         const Eigen::Vector3d N = this->Grid.GetAreaVectors().row(k);
         turned.row(k) =
           ClosestRotation(Eigen::Map<const Eigen::Matrix3d>(atSamples.row(k).data())) * N;
-        areas(k) = turned.row(k).dot(AreaVectorOf(Gradient(moved.row(k).data()), N));
+        areas(k) = turned.row(k).dot(after.row(k));
       }
     });
   for (int round = 0; round < RoundsOfYield && this->Yield(o, turned, areas); ++round)
@@ -507,19 +497,20 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
 bool ClosedFormStyle::State::Yield(
   const ClosedFormOptions& o, const Points& turned, const Eigen::VectorXd& areas)
 {
-  const Fields carried = this->Grid.Gradients(this->Positions, o.threads);
-  Fields yields = Fields::Zero(areas.size(), 1);
+  const Points carried =
+    this->Grid.AreaVectorsUnder(this->Grid.Gradients(this->Positions, o.threads), o.threads);
+  Fields yields = Fields::Zero(areas.size(), 2); // y and y^2
   for (Eigen::Index k = 0; k < areas.size(); ++k)
   {
-    const Eigen::Vector3d N = this->Grid.GetAreaVectors().row(k);
     const double least = SmallestStretch * areas(k);
-    const double area = turned.row(k).dot(AreaVectorOf(Gradient(carried.row(k).data()), N));
+    const double area = turned.row(k).dot(carried.row(k));
     if (areas(k) > 0.0 && area < least)
     {
-      yields(k, 0) = std::pow((least - area) / (areas(k) - area), SharpnessOfYield);
+      const double y = (least - area) / (areas(k) - area);
+      yields.row(k) << y, y * y;
     }
   }
-  if ((yields.array() == 0.0).all())
+  if (yields.isZero(0.0))
   {
     return false;
   }
@@ -531,7 +522,7 @@ bool ClosedFormStyle::State::Yield(
       for (int i = begin; i < end; ++i)
       {
         const double share =
-          std::min(1.0, std::pow(std::max(0.0, yield(i, 0)), 1.0 / SharpnessOfYield));
+          std::clamp(yield(i, 1) / (std::max(0.0, yield(i, 0)) + FewYields), 0.0, 1.0);
         this->Positions.row(i) -= share * (this->Positions.row(i) - this->Moved.row(i));
       }
     });
@@ -627,23 +618,28 @@ void ClosedFormStyle::SetMesh(const Points& P, const Triangles& F)
   this->S->F = &F;
 }
 
-ClosedFormReport ClosedFormStyle::Solve(const ClosedFormOptions& options)
+ClosedFormReport ClosedFormStyle::Solve(const ClosedFormOptions& options, const Callback& callback)
 {
   State& s = *this->S;
+  s.Start(callback);
   ClosedFormReport report;
   s.UpdateGrid(options, report);
   const Stopwatch watch;
   s.MakeTargets(options, report);
   s.BlendBase(options);
+  s.Step();
   s.CarryDetails(options);
+  s.Step();
   s.Place(options, report);
   report.carrySeconds = watch.Seconds();
   return report;
 }
 
-ClosedFormReport ClosedFormStyle::Carry(const Points& Q, const ClosedFormOptions& options)
+ClosedFormReport ClosedFormStyle::Carry(
+  const Points& Q, const ClosedFormOptions& options, const Callback& callback)
 {
   State& s = *this->S;
+  s.Start(callback);
   ClosedFormReport report;
   s.UpdateGrid(options, report);
   const Stopwatch watch;
@@ -659,14 +655,15 @@ ClosedFormReport ClosedFormStyle::Carry(const Points& Q, const ClosedFormOptions
   return report;
 }
 
-Points ClosedFormStyle::ThickNormals(const ClosedFormOptions& options)
+Points ClosedFormStyle::ThickNormals(const ClosedFormOptions& options, const Callback& callback)
 {
-  State& s = *this->S;
-  ClosedFormReport report;
-  if (!UsesNormals(options))
+  if (!options.UsesNormals())
   {
     return options.normals;
   }
+  State& s = *this->S;
+  s.Start(callback);
+  ClosedFormReport report;
   s.UpdateGrid(options, report);
   const double radius = s.Spheres(options).front().radius;
   s.UpdateNormals(options);

@@ -6,6 +6,7 @@
 #ifndef SphericalStyle_ClosedFormStyle_h
 #define SphericalStyle_ClosedFormStyle_h
 
+#include "LocalGlobal.h"
 #include "ModelSize.h"
 #include "TargetDirections.h"
 
@@ -20,31 +21,23 @@ enum class NormalRadius
   WholeModel    ///< as the whole model: r (thesis)
 };
 
-/// What is wanted, in the units of the frame. Arrays of 0 rows mean "none".
-struct ClosedFormOptions
+/// What the closed form knows beyond the target.
+struct DetailOptions
 {
-  double lambda = 0.5;      ///< roundness, >= 0
-  double normalBlend = 0.0; ///< a, 0..1
+  /// s, fraction of the diagonal of the bounds: what is smaller is a detail [base]; 0: the model is
+  /// its own base. With details the given normals are not used, for the base has its own.
+  double detailSize = 0.0;
   NormalRadius normalRadius = NormalRadius::OwnThickness;
-  double detailSize = 0.0; ///< s; 0: the base is the model
-  CenterMode centerMode = CenterMode::AreaCentroid;
-  RadiusMode radiusMode = RadiusMode::EqualArea;
-  Sphere custom; ///< for the Custom modes
   SizeOptions size;
-  bool keepLastPoint = false; ///< the last point stays, and not the mean
-
-  Eigen::VectorXd roundnessFactors; ///< n, >= 0
-  Eigen::VectorXd normalBlends;     ///< n, 0..1: replaces a
-  Points normals;                   ///< n x 3 unit normals, with detailSize 0
-  Points targets;                   ///< n x 3, replaces t
-  std::vector<int> fixedPoints;     ///< outside of the region: they stay, exactly
-  bool sphereOfFreePoints = false;  ///< O and r from the points that are not fixed alone
-  std::vector<int> centerIds;       ///< n, 0..K-1; none: one center for all
-  Points centers;                   ///< K x 3, or none
-  double centerBlend = 0.0;         ///< width over which several centers pass into each other
-
   bool keepRotations = false; ///< R is wanted
-  int threads = 1;
+};
+
+/// What is wanted, in the units of the frame.
+struct ClosedFormOptions
+  : TargetOptions
+  , DetailOptions
+{
+  bool keepLastPoint = false; ///< the last point stays, and not the mean
 };
 
 struct ClosedFormReport
@@ -58,6 +51,11 @@ struct ClosedFormReport
   double scale = 1.0;              ///< by which the result was scaled [size]
   double baseSeconds = 0.0;        ///< grid, base, normals, thickness, where they were made anew
   double carrySeconds = 0.0;
+};
+
+/// Thrown where the callback says that the solve is to end.
+struct SolveAborted
+{
 };
 
 /// Nothing iterates, and nothing is factored that is as large as the mesh.
@@ -77,6 +75,11 @@ struct ClosedFormReport
 ///
 ///     B_i = P_i + e_i (smooth_s(smooth_s(P))_i - P_i).
 ///
+/// Normals of the base: with N the area vectors that the gradients of B make of N_k, and (v, u) =
+/// N / w_k and |N| / w_k smoothed (SurfaceGrid::SmoothByTwicing), n_i = v_i / max(|v_i|, u_i / 5):
+/// shorter than 1 where the two sides of a thin wall cancel. Triangles are turned to agree with
+/// their neighbors and to enclose a positive volume before.
+///
 /// Rotations: with G_k and G'_k the mean gradients of B and B' in sample k, N and N' the area
 /// vectors that they make of N_k, R_i is the rotation closest to S_i, the transpose of
 ///
@@ -84,14 +87,15 @@ struct ClosedFormReport
 ///
 /// Details give way, in two rounds, where they would fold: with a_k the area of B' in sample k
 /// along the turned normal R_k N_k and b_k that of P', y_k = (a_k / 2 - b_k) / (a_k - b_k) where
-/// b_k < a_k / 2, else 0, P'_i moves toward B'_i by the share min(1, smooth_s(y^4)_i^(1/4)).
+/// b_k < a_k / 2, else 0, P'_i moves toward B'_i by the share smooth_s(y^2)_i / (smooth_s(y)_i +
+/// .01): the mean of y where it is not 0, which fades where few such places are near.
 ///
 /// Several centers: T_i = sum_k omega_k (O_k + ...) + Y, omega the smooth shares of the centers,
 /// and Y the field with grad Y nearest to - sum_k (O_k + ...) grad omega_k: parts keep together,
 /// each moves as a whole [centers].
 ///
 /// Cost at n points: a pass over the triangles for the grid, sums over its samples and a factor of
-/// G functions (SurfaceGrid), five rays a sample of a coarse grid; then a change costs some 20
+/// G functions (SurfaceGrid), three rays a sample of a coarse grid; then a change costs some 20
 /// small solves and a few passes over points and triangles. Memory about 400 bytes a point.
 class ClosedFormStyle
 {
@@ -101,16 +105,18 @@ public:
 
   /// @param P  n x 3, in a frame of diagonal 1 @param F  m x 3; both must outlive this
   void SetMesh(const Points& P, const Triangles& F);
-  /// @throw std::invalid_argument, SolverError, PartWithoutSphere
-  ClosedFormReport Solve(const ClosedFormOptions& options);
+  /// @param callback  asked after each step, with its number; what is done is kept for the next
+  /// solve @throw std::invalid_argument, SolverError, PartWithoutSphere, SolveAborted
+  ClosedFormReport Solve(const ClosedFormOptions& options, const Callback& callback = {});
   /// Carries the details on a base that another method has deformed: P' = B' + R (P - B), B' the
   /// base of Q.
   /// @param Q  n x 3, what became of P
-  ClosedFormReport Carry(const Points& Q, const ClosedFormOptions& options);
+  ClosedFormReport Carry(
+    const Points& Q, const ClosedFormOptions& options, const Callback& callback = {});
 
   /// (rho_i / r) n_i: normals by the thickness of the limb, for another method; r of the first
   /// center.
-  Points ThickNormals(const ClosedFormOptions& options);
+  Points ThickNormals(const ClosedFormOptions& options, const Callback& callback = {});
 
   const Points& GetPositions() const;   ///< P', n x 3
   const Points& GetBase() const;        ///< B, n x 3

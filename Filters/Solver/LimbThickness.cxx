@@ -17,20 +17,19 @@ namespace SphericalStyle
 {
 namespace
 {
-constexpr int RaysAround = 4;
-constexpr double ConeAngle = 0.2;  // at which the four lie; a ball loses 2 % of its thickness by it
-constexpr double Thinnest = 0.002; // fraction of the diagonal, as all lengths here
+constexpr double RayAngle = 0.1;     // of the outer rays; a ball loses .5 % of its thickness by it
+constexpr double Thinnest = 0.002;   // fraction of the diagonal, as all lengths here
 constexpr double MostSamples = 0.98; // have less than the upper bound
-constexpr double FacesOneWay = 0.5;  // |N_k| / w_k below which a sample has both sides of a sheet
+constexpr double Against = -0.3; // of the cosine to the surroundings below which a sample is wrong
+constexpr double FacesOneWay = 0.5; // |N_k| / w_k below which a sample has both sides of a sheet
 constexpr double WallStiffness =
   24.0; // at which no wall of TestThickness keeps less than elastic stitches kept
 constexpr double FewestAnswers = 0.01;
 constexpr double BlindSubCells = 0.5; // of the spacing: the sheet that a ray starts from
 
-/// Five directions around -n, mirror images of each other on both sides of the plane of n and
-/// `toward`.
-std::array<Eigen::Vector3d, RaysAround + 1> Directions(
-  const Eigen::Vector3d& n, const Eigen::Vector3d& toward)
+/// -n and one direction on each side of it, in the plane of n and `toward`: mirror images of a
+/// surface get mirrored rays.
+std::array<Eigen::Vector3d, 3> Directions(const Eigen::Vector3d& n, const Eigen::Vector3d& toward)
 {
   Eigen::Vector3d x = toward - toward.dot(n) * n;
   if (!(x.squaredNorm() > 1e-20))
@@ -38,18 +37,8 @@ std::array<Eigen::Vector3d, RaysAround + 1> Directions(
     x = n.unitOrthogonal();
   }
   x.normalize();
-  const Eigen::Vector3d y = n.cross(x);
-  std::array<Eigen::Vector3d, RaysAround + 1> rays;
-  rays[RaysAround] = -n;
-  for (int k = 0; k < RaysAround; ++k)
-  {
-    // So that as many lie nearer to one axis of the tangent plane as to the other: along and across
-    // a limb.
-    const double angle = (k + 0.5) * 2.0 * Pi / RaysAround;
-    rays[k] =
-      -std::cos(ConeAngle) * n + std::sin(ConeAngle) * (std::cos(angle) * x + std::sin(angle) * y);
-  }
-  return rays;
+  const Eigen::Vector3d inward = -std::cos(RayAngle) * n;
+  return { -n, inward + std::sin(RayAngle) * x, inward - std::sin(RayAngle) * x };
 }
 
 /// Half of what is between the two sides of a sheet that lie in one sample.
@@ -57,6 +46,12 @@ double HalfOfSheet(const SurfaceGrid& grid, int k)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(grid.GetSpreads()[k]);
   return std::sqrt(std::max(0.0, spread.eigenvalues()(0)));
+}
+
+double MedianOf(std::vector<double> lengths)
+{
+  std::sort(lengths.begin(), lengths.end());
+  return 0.5 * (lengths[(lengths.size() - 1) / 2] + lengths[lengths.size() / 2]);
 }
 }
 
@@ -67,56 +62,51 @@ Eigen::VectorXd LimbThickness(
   grid.Factor({}, threads);
   const int samples = grid.GetNumberOfSamples();
   const Fields places = grid.Means(B, threads);
-  const Fields gradients = grid.Gradients(B, threads);
+  Points normals = grid.AreaVectorsUnder(grid.Gradients(B, threads), threads);
+  for (int k = 0; k < samples; ++k)
+  {
+    normals.row(k) = normals.row(k).stableNormalized().eval();
+  }
+  const Fields around = grid.AtSamples(grid.Smooth(normals, threads), threads);
   const Eigen::Vector3d middle = (places.transpose() * grid.GetWeights()) / grid.GetWeights().sum();
   const TriangleTree tree(B, F);
   const double blind = BlindSubCells * grid.GetSpacing();
 
-  std::vector<double> found(samples, 0.0); // 0 where nothing is met
+  /// Half of the median of the rays; 0 where nothing is met.
+  const auto measure = [&](int k)
+  {
+    const Eigen::Vector3d n = normals.row(k);
+    std::vector<double> lengths;
+    if (n.squaredNorm() > 0.5 && around.row(k).dot(n.transpose()) >= Against)
+    {
+      const Eigen::Vector3d origin = places.row(k);
+      for (const Eigen::Vector3d& direction : Directions(n, origin - middle))
+      {
+        FirstHit hit(B, F, origin, direction, FirstHit::Nothing);
+        hit.SkipOutsides(blind);
+        hit.Search(tree);
+        if (hit.GetTriangle() >= 0)
+        {
+          lengths.push_back(hit.GetDistance());
+        }
+      }
+    }
+    return lengths.empty() ? 0.0 : std::max(Thinnest, 0.5 * MedianOf(lengths));
+  };
+  std::vector<double> found(samples);
   ParallelTasks((samples + 255) / 256, threads,
     [&](int task)
     {
       for (int k = 256 * task; k < std::min(samples, 256 * (task + 1)); ++k)
       {
-        const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> G(
-          gradients.row(k).data());
-        const Eigen::Vector3d N = grid.GetAreaVectors().row(k);
-        const double facing = N.norm() / grid.GetWeights()(k);
-        const Eigen::Vector3d m = N.stableNormalized();
-        const Eigen::Vector3d u = m.unitOrthogonal();
-        const Eigen::Vector3d n = (G * u).cross(G * m.cross(u)).stableNormalized();
-        std::vector<double> lengths;
-        const Eigen::Vector3d origin = places.row(k);
-        if (n.squaredNorm() > 0.5)
-        {
-          for (const Eigen::Vector3d& direction : Directions(n, origin - middle))
-          {
-            FirstHit hit(B, F, origin, direction, FirstHit::Nothing);
-            hit.SkipOutsides(blind);
-            hit.Search(tree);
-            if (hit.GetTriangle() >= 0)
-            {
-              lengths.push_back(hit.GetDistance());
-            }
-          }
-        }
-        double rho = 0.0;
-        if (!lengths.empty())
-        {
-          std::sort(lengths.begin(), lengths.end());
-          const std::size_t half = lengths.size() / 2;
-          const double median =
-            lengths.size() % 2 == 1 ? lengths[half] : 0.5 * (lengths[half - 1] + lengths[half]);
-          rho = std::max(Thinnest, 0.5 * median);
-        }
-        if (facing < FacesOneWay)
-        {
-          const double sheet = std::max(Thinnest, HalfOfSheet(grid, k));
-          const double share = facing / FacesOneWay;
-          rho =
-            rho > 0.0 ? std::exp(share * std::log(rho) + (1.0 - share) * std::log(sheet)) : sheet;
-        }
-        found[k] = rho;
+        const double rho = measure(k);
+        const double facing = grid.GetAreaVectors().row(k).norm() / grid.GetWeights()(k);
+        const double sheet =
+          facing < FacesOneWay ? std::max(Thinnest, HalfOfSheet(grid, k)) : Thinnest;
+        const double share = std::min(1.0, facing / FacesOneWay);
+        found[k] = share == 1.0 ? rho
+          : rho > 0.0           ? std::exp(share * std::log(rho) + (1.0 - share) * std::log(sheet))
+                                : sheet;
       }
     });
 

@@ -59,30 +59,11 @@ void SphericalStyleMethod::SetMesh(const TriangleMesh& mesh)
 
 ClosedFormOptions SphericalStyleMethod::InFrame(const MethodOptions& o) const
 {
-  const Frame& frame = this->MeshFrame;
-  ClosedFormOptions c;
-  c.lambda = o.lambda;
-  c.normalBlend = o.normalBlend;
-  c.normalRadius = o.normalRadius;
-  c.detailSize = o.detailSize;
-  c.centerMode = o.centerMode;
-  c.radiusMode = o.radiusMode;
-  c.custom = { (o.custom.center - frame.origin.transpose()) / frame.scale,
-    o.custom.radius / frame.scale };
-  c.size = o.size;
-  c.keepLastPoint = o.anchor == Anchor::LastPoint;
-  c.roundnessFactors = o.roundnessFactors;
-  c.normalBlends = o.normalBlends;
-  c.normals = o.normals;
-  c.targets = o.targets;
-  c.fixedPoints = o.fixedPoints;
-  c.sphereOfFreePoints = o.sphereOfFreePoints;
-  c.centerIds = o.centerIds;
-  c.centers = o.centers.rows() > 0 ? frame.Into(o.centers) : Points(0, 3);
-  c.centerBlend = o.centerBlend;
-  c.keepRotations = o.keepRotations;
-  c.threads = o.threads;
-  return c;
+  ClosedFormOptions framed;
+  static_cast<TargetOptions&>(framed) = o.Into(this->MeshFrame);
+  static_cast<DetailOptions&>(framed) = o;
+  framed.keepLastPoint = o.anchor == Anchor::LastPoint;
+  return framed;
 }
 
 /// Results of the closed form into model units.
@@ -105,10 +86,11 @@ void SphericalStyleMethod::Take(
   report.seconds.iterate += closed.carrySeconds;
 }
 
-void SphericalStyleMethod::SolveClosedForm(const MethodOptions& o, StyleReport& report)
+void SphericalStyleMethod::SolveClosedForm(
+  const MethodOptions& o, const Callback& callback, StyleReport& report)
 {
   const Frame& frame = this->MeshFrame;
-  const ClosedFormReport closed = this->Closed.Solve(this->InFrame(o));
+  const ClosedFormReport closed = this->Closed.Solve(this->InFrame(o), callback);
   this->T = this->Closed.GetDirections();
   this->Take(o, closed, report);
   report.closedForm = true;
@@ -133,6 +115,14 @@ void SphericalStyleMethod::SolveClosedForm(const MethodOptions& o, StyleReport& 
   }
 }
 
+void SphericalStyleMethod::StayAtRest(const MethodOptions& o)
+{
+  this->Positions = this->Mesh.P;
+  this->T = Points::Zero(this->P.rows(), 3);
+  this->R.assign(o.keepRotations ? this->P.rows() : 0, Eigen::Matrix3d::Identity());
+  this->CellEnergies.resize(0);
+}
+
 /// The energy knows no details: B' is the base of what it leads to.
 void SphericalStyleMethod::SolveEnergy(
   const MethodOptions& o, const Callback& callback, StyleReport& report)
@@ -141,7 +131,7 @@ void SphericalStyleMethod::SolveEnergy(
   StyleOptions rigid = o;
   if (o.normalRadius == NormalRadius::OwnThickness)
   {
-    rigid.normals = this->Closed.ThickNormals(inFrame);
+    rigid.normals = this->Closed.ThickNormals(inFrame, callback);
   }
   this->Energy.SetMesh(this->Mesh);
   report = this->Energy.Solve(rigid, callback);
@@ -152,7 +142,7 @@ void SphericalStyleMethod::SolveEnergy(
   if (o.detailSize > 0.0 || o.size.keep != KeepSize::Off || o.size.keepOnGround)
   {
     const ClosedFormReport closed =
-      this->Closed.Carry(this->MeshFrame.Into(this->Positions), inFrame);
+      this->Closed.Carry(this->MeshFrame.Into(this->Positions), inFrame, callback);
     Matrices turns = std::move(this->R);
     this->Take(o, closed, report);
     if (o.detailSize == 0.0)
@@ -171,13 +161,21 @@ StyleReport SphericalStyleMethod::Solve(const MethodOptions& options, const Call
   CheckOptions(options, static_cast<int>(this->P.rows()));
   StyleReport report;
   this->CellEnergies.resize(0);
-  if (IsClosedForm(options))
+  try
   {
-    this->SolveClosedForm(options, report);
+    if (IsClosedForm(options))
+    {
+      this->SolveClosedForm(options, callback, report);
+    }
+    else
+    {
+      this->SolveEnergy(options, callback, report);
+    }
   }
-  else
+  catch (const SolveAborted&)
   {
-    this->SolveEnergy(options, callback, report);
+    this->StayAtRest(options);
+    report.loop.aborted = true;
   }
   if (!this->Positions.allFinite())
   {

@@ -11,15 +11,11 @@
 
 namespace SphericalStyle
 {
-/// What the user wants. Lengths and positions are in model units.
-struct MethodOptions : StyleOptions
+/// What the user wants, in model units.
+struct MethodOptions
+  : StyleOptions
+  , DetailOptions
 {
-  /// s, fraction of the diagonal of the bounds: what is smaller is a detail [base]; 0: the model is
-  /// its own base. With details the given normals are not used, for the base has its own.
-  double detailSize = 0.0;
-  NormalRadius normalRadius = NormalRadius::OwnThickness;
-  SizeOptions size;
-  bool keepRotations = false; ///< R is wanted
 };
 
 /// The thesis to the letter.
@@ -45,6 +41,8 @@ public:
   /// Counts the meshes that were not equal to the one before.
   int GetMeshGeneration() const { return this->MeshGeneration; }
 
+  /// @param callback  asked after each step of the closed form and each iteration of the energy;
+  /// where the closed form is ended by it, the result is the model at rest, without directions
   /// @throw std::invalid_argument, PartWithoutSphere, SolverError
   StyleReport Solve(const MethodOptions& options, const Callback& callback = {});
 
@@ -56,8 +54,9 @@ public:
 
 private:
   ClosedFormOptions InFrame(const MethodOptions& options) const;
-  void SolveClosedForm(const MethodOptions& options, StyleReport& report);
+  void SolveClosedForm(const MethodOptions& options, const Callback& callback, StyleReport& report);
   void SolveEnergy(const MethodOptions& options, const Callback& callback, StyleReport& report);
+  void StayAtRest(const MethodOptions& options);
   void Take(const MethodOptions& options, const ClosedFormReport& closed, StyleReport& report);
 
   TriangleMesh Mesh;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <unordered_map>
 
 namespace SphericalStyle
 {
@@ -26,6 +27,7 @@ constexpr double LongestWhole = 1.0 / 6.0;
 constexpr double CentroidShare = 0.75; // of the area; the corners have the rest
 constexpr double Ridge = 1e-7;         // of the mean diagonal
 constexpr double PoissonMass = 1e-6;   // holds the constant, which has no gradient
+constexpr int MostCutsToSearch = 4;    // of an edge: beyond, parts of a triangle are hashed
 constexpr int TrianglesOfTask = 1 << 15;
 constexpr int CellsOfTask = 64;
 constexpr int PointsOfPacket = 4096;
@@ -264,8 +266,6 @@ private:
 
   void Cut(int triangle, Parts& parts) const;
   void CutEvenly(int triangle, int n, Parts& parts) const;
-  static void Add(const Place& place, const SurfaceGrid& grid, int triangle, std::size_t first,
-    const Eigen::Vector3d& share, Parts& parts);
   void SumCell(const Part* begin, const Part* end, Samples& samples) const;
   void SumSubCell(const Part* begin, const Part* end, Samples& samples) const;
 
@@ -292,33 +292,37 @@ struct SurfaceGrid::Splatter::Samples
   std::vector<Part> sorted;
 };
 
-void SurfaceGrid::Splatter::Add(const Place& place, const SurfaceGrid& grid, int triangle,
-  std::size_t first, const Eigen::Vector3d& share, Parts& parts)
-{
-  const int box = BoxIndex(grid.Half, place.cell);
-  const int sub = SubCellOf(place.t);
-  for (std::size_t i = first; i < parts.parts.size(); ++i)
-  {
-    const Part& part = parts.parts[i];
-    if (part.box == box && part.subCell == sub)
-    {
-      parts.shares[part.shares] += share;
-      return;
-    }
-  }
-  parts.parts.push_back({ box, triangle, sub, static_cast<int>(parts.shares.size()) });
-  parts.shares.push_back(share);
-}
-
 void SurfaceGrid::Splatter::CutEvenly(int triangle, int n, Parts& parts) const
 {
   const std::size_t first = parts.parts.size();
+  std::unordered_map<std::int64_t, std::size_t> numbers; // of its parts, where they are many
+  const auto partAt = [&](int box, int subCell) -> const Part&
+  {
+    std::size_t number = first;
+    if (n > MostCutsToSearch)
+    {
+      const std::int64_t key = static_cast<std::int64_t>(box) * SubCellsOfCell + subCell;
+      number = numbers.insert({ key, parts.parts.size() }).first->second;
+    }
+    while (number < parts.parts.size() &&
+      (parts.parts[number].box != box || parts.parts[number].subCell != subCell))
+    {
+      ++number;
+    }
+    if (number == parts.parts.size())
+    {
+      parts.parts.push_back({ box, triangle, subCell, static_cast<int>(parts.shares.size()) });
+      parts.shares.emplace_back(Eigen::Vector3d::Zero());
+    }
+    return parts.parts[number];
+  };
   const Eigen::Matrix3d corners = this->P(this->F.row(triangle), Eigen::all).transpose();
   const double area = 1.0 / (static_cast<double>(n) * n);
   const auto add = [&](const Eigen::Vector3d& barycentric, double share)
   {
     const Place place = this->Grid.Locate((corners * barycentric).transpose());
-    Add(place, this->Grid, triangle, first, share * area * barycentric, parts);
+    const Part& part = partAt(BoxIndex(this->Grid.Half, place.cell), SubCellOf(place.t));
+    parts.shares[part.shares] += share * area * barycentric;
   };
   const auto addTriangle = [&](const Eigen::Vector3i& row, const Eigen::Vector3i& column)
   {
@@ -993,9 +997,38 @@ Fields SurfaceGrid::Smooth(const Fields& X, int threads) const
   return this->Solve(X, Fields(0, 0), threads);
 }
 
+Points SurfaceGrid::AreaVectorsUnder(const Fields& gradients, int threads) const
+{
+  Points images = Points::Zero(gradients.rows(), 3);
+  ParallelFor(static_cast<int>(gradients.rows()), threads,
+    [&](int begin, int end)
+    {
+      for (int k = begin; k < end; ++k)
+      {
+        const Eigen::Vector3d N = this->AreaVectors.row(k);
+        const double length = N.norm();
+        if (length > 0.0)
+        {
+          const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> G(
+            gradients.row(k).data());
+          const Eigen::Vector3d m = N / length;
+          const Eigen::Vector3d u = m.unitOrthogonal();
+          images.row(k) = length * (G * u).cross(G * m.cross(u));
+        }
+      }
+    });
+  return images;
+}
+
 Fields SurfaceGrid::SmoothTwice(const Fields& X, int threads) const
 {
   return this->Smooth(this->AtSamples(this->Smooth(X, threads), threads), threads);
+}
+
+Fields SurfaceGrid::SmoothByTwicing(const Fields& X, int threads) const
+{
+  const Fields once = this->Smooth(X, threads);
+  return once + this->Smooth(X - this->AtSamples(once, threads), threads);
 }
 
 Fields SurfaceGrid::Solve(const Fields& X, const Fields& Y, int threads) const

@@ -304,6 +304,11 @@ public:
 
   /// Two implicit steps.
   Matrix SmoothTwice(const Matrix& X) const { return this->Solve(this->AtSamples(this->Solve(X))); }
+  /// 1 - (1 - S)^2, S one step.
+  Matrix SmoothByTwicing(const Matrix& X) const
+  {
+    return 2.0 * this->Solve(X) - this->SmoothTwice(X);
+  }
 
 private:
   struct Value
@@ -764,14 +769,20 @@ public:
       }
       base.gradients = grid.Gradients(base.B);
       Matrix normals(grid.Samples.size(), 3);
+      Matrix lengths(grid.Samples.size(), 1);
       for (std::size_t k = 0; k < grid.Samples.size(); ++k)
       {
         const DenseGrid::Sample& sample = grid.Samples[k];
         normals.row(k) =
           (Cofactors(MatrixOf(base.gradients, k)) * sample.areaVector / sample.weight).transpose();
+        lengths(k, 0) = normals.row(k).norm();
       }
-      base.normals = grid.AtPoints(grid.Solve(normals), this->P);
-      base.normals.rowwise().normalize();
+      base.normals = grid.AtPoints(grid.SmoothByTwicing(normals), this->P);
+      lengths = grid.AtPoints(grid.SmoothByTwicing(lengths), this->P);
+      for (int i = 0; i < this->P.rows(); ++i)
+      {
+        base.normals.row(i) /= std::max(base.normals.row(i).norm(), 0.2 * lengths(i, 0));
+      }
     }
     else
     {
@@ -787,8 +798,8 @@ public:
   {
     if (!this->Limbs)
     {
-      this->Limbs = std::make_unique<DenseGrid>(this->P, this->Outward, 0.08);
-      this->Limbs->Factor(1.0, 0.08 * 0.08, {});
+      this->Limbs = std::make_unique<DenseGrid>(this->P, this->Outward, 0.075);
+      this->Limbs->Factor(1.0, 0.075 * 0.075, {});
       this->Margin = std::min(this->Margin, this->Limbs->Margin);
     }
     const DenseGrid& grid = *this->Limbs;
@@ -802,21 +813,28 @@ public:
       area += grid.Samples[k].weight;
     }
     middle /= area;
+    Matrix normals(grid.Samples.size(), 3);
+    for (std::size_t k = 0; k < grid.Samples.size(); ++k)
+    {
+      normals.row(k) =
+        (Cofactors(MatrixOf(gradients, k)) * grid.Samples[k].areaVector).normalized().transpose();
+    }
+    const Matrix around = grid.AtSamples(grid.Solve(normals));
     base.thickness = Matrix::Zero(grid.Samples.size(), 1);
     for (std::size_t k = 0; k < grid.Samples.size(); ++k)
     {
       const DenseGrid::Sample& sample = grid.Samples[k];
-      const Vector n = (Cofactors(MatrixOf(gradients, k)) * sample.areaVector).normalized();
+      const Vector n = normals.row(k).transpose();
       const Vector origin = places.row(k).transpose();
       const Vector x = ((Matrix3::Identity() - n * n.transpose()) * (origin - middle)).normalized();
-      const Vector y = n.cross(x);
       std::vector<double> lengths;
-      for (int ray = 0; ray < 5; ++ray)
+      for (const double tilt : { 0.0, 0.1, -0.1 })
       {
-        const double tilt = ray == 4 ? 0.0 : 0.2;
-        const double around = (ray + 0.5) * EIGEN_PI / 2.0;
-        const Vector direction =
-          -std::cos(tilt) * n + std::sin(tilt) * (std::cos(around) * x + std::sin(around) * y);
+        if (around.row(k).dot(normals.row(k)) < -0.3)
+        {
+          break; // a flipped sample
+        }
+        const Vector direction = -std::cos(tilt) * n + std::sin(tilt) * x;
         const Hit hit = FirstHitOf(base.B, this->Outward, origin, direction,
           std::numeric_limits<double>::infinity(), 0.5 * grid.Spacing);
         if (hit.triangle >= 0)
@@ -1103,17 +1121,18 @@ public:
       if (ofBase > 0.0 && ofAll < 0.5 * ofBase)
       {
         // The share x of details at which ofBase + (1 - x)(ofAll - ofBase) is half of ofBase.
-        yields(k) = std::pow((0.5 * ofBase - ofAll) / (ofBase - ofAll), 4);
+        yields(k, 0) = (0.5 * ofBase - ofAll) / (ofBase - ofAll);
       }
     }
     if (yields.maxCoeff() == 0.0)
     {
       return;
     }
-    const Matrix yield = grid.AtPoints(grid.Solve(yields), this->P);
+    const Matrix first = grid.AtPoints(grid.Solve(yields), this->P);
+    const Matrix second = grid.AtPoints(grid.Solve(yields.cwiseAbs2()), this->P);
     for (int i = 0; i < this->Count(); ++i)
     {
-      const double x = std::min(1.0, std::pow(std::max(0.0, yield(i)), 0.25));
+      const double x = std::max(0.0, std::min(1.0, second(i) / (std::max(0.0, first(i)) + 0.01)));
       this->LargestYield = std::max(this->LargestYield, x);
       this->Positions.row(i) = (1.0 - x) * this->Positions.row(i) + x * moved.row(i);
     }

@@ -241,11 +241,9 @@ void Measure(const Model& model)
   method.SetMesh(model.mesh);
   for (const double mu : { 1.0, 2.0 })
   {
-    // The goal is .02 for both. What keeps more from being true today: details give way too far
-    // from the creases where they fold (legs), and base and normals stretch near the ends of a limb
-    // (lengths).
-    const double thicknessWithin = mu == 1.0 ? 0.065 : 0.135;
-    const double lengthWithin = mu == 1.0 ? 0.045 : 0.09;
+    const double within = mu == 1.0 ? 0.02 : 0.03;
+    // Near a ball the base of the bar is drawn toward it, the more so the shorter the bar becomes.
+    const double ofShaftWithin = mu == 1.0 ? 0.045 : 0.09;
     MethodOptions o;
     o.sphericalWeighting = SphericalWeighting::Cotangent;
     o.centerMode = CenterMode::AreaCentroid;
@@ -265,7 +263,7 @@ void Measure(const Model& model)
       const double thickness = RadiusOf(Q, middle, along) / RadiusOf(P, middle, along);
       std::cout << what << " of radius " << limb.radius / diagonal << " (" << middle.size()
                 << " points) becomes " << thickness << " as thick";
-      CHECK_NEAR(thickness, 1.0, thicknessWithin, what + ": thickness, of that at rest");
+      CHECK_NEAR(thickness, 1.0, within, what + ": thickness, of that at rest");
       if (along.norm() > 0.0)
       {
         const std::vector<int> a = PointsOf(model, limb, 0.3, 0.36);
@@ -273,7 +271,8 @@ void Measure(const Model& model)
         const double length = (MiddleOf(Q, b) - MiddleOf(Q, a)).norm() /
           (MiddleOf(P, b) - MiddleOf(P, a)).norm() * (1.0 + mu);
         std::cout << ", " << length << " of 1 / (1 + mu) as long";
-        CHECK_NEAR(length, 1.0, lengthWithin, what + ": length, of 1 / (1 + mu)");
+        CHECK_NEAR(length, 1.0, limb.name == "bar" ? ofShaftWithin : within,
+          what + ": length, of 1 / (1 + mu)");
       }
       std::cout << std::endl;
     }
@@ -287,7 +286,7 @@ void Measure(const Model& model)
       const double after = (MiddleOf(Q, b) - MiddleOf(Q, a)).norm() - off;
       std::cout << model.name << ", mu " << mu << ": centers of the balls "
                 << after / before * (1.0 + mu) << " of 1 / (1 + mu) apart" << std::endl;
-      CHECK_NEAR(after / before * (1.0 + mu), 1.0, lengthWithin,
+      CHECK_NEAR(after / before * (1.0 + mu), 1.0, within,
         model.name + ": distance of the balls, of 1 / (1 + mu)");
     }
   }
@@ -307,7 +306,7 @@ void Shapes()
     return Eigen::VectorXd(frame.scale * rho);
   };
   const Eigen::VectorXd ball = thickness(Icosphere(4), 10.0);
-  CHECK(ball.maxCoeff() < 1.01 && ball.minCoeff() > 0.96,
+  CHECK(ball.maxCoeff() < 1.001 && ball.minCoeff() > 0.99,
     "a ball of radius 1 has the thickness " << ball.minCoeff() << " to " << ball.maxCoeff());
   const Eigen::VectorXd small = thickness(Icosphere(4), 0.1);
   CHECK_NEAR(small.maxCoeff(), 0.1 * std::sqrt(12.0), 1e-9, "a thickness above r");
@@ -316,7 +315,7 @@ void Shapes()
   std::cout << "ball: thickness " << ball.minCoeff() << " to " << ball.maxCoeff()
             << "; wall of half thickness .2: " << wall.minCoeff() << " to " << wall.maxCoeff()
             << std::endl;
-  CHECK(wall.maxCoeff() < 0.21 && wall.minCoeff() > 0.196,
+  CHECK(wall.maxCoeff() < 0.203 && wall.minCoeff() > 0.198,
     "a wall of .4 has the half thickness " << wall.minCoeff() << " to " << wall.maxCoeff());
   const double sheetRadius = 0.2;
   const Eigen::VectorXd sheet = thickness(Patch(12, 0.0), sheetRadius);
