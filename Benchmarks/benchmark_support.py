@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the scripts that compare have in common: runs of programs, medians, exponents, tables."""
+"""What the scripts that compare have in common: meshes, runs of programs, medians, exponents, tables."""
 import json
 import math
 import os
@@ -8,9 +8,21 @@ import platform
 import statistics
 import subprocess
 import sys
+import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROGRAMS = os.path.join(HERE, "..", "build", "Benchmarks")
+SIZES = [35000, 99000, 237000, 949000]
+FAMILIES = ["even", "slivers"]
+
+
+def add_options(parser, families):
+    """The options that all comparisons have. families: those measured by default."""
+    parser.add_argument("--sizes", type=int, nargs="+", default=SIZES, metavar="N", help="points")
+    parser.add_argument("--families", nargs="+", choices=FAMILIES, default=families)
+    parser.add_argument("--repetitions", type=int, default=3, metavar="N", help="runs of each kind, in turn")
+    parser.add_argument("--programs", default=PROGRAMS, metavar="DIR", help="default: build/Benchmarks")
+    parser.add_argument("--output", default="comparison", metavar="DIR")
 
 
 def environment(threads):
@@ -47,24 +59,50 @@ def medians(records):
 
 
 def exponent(sizes, values):
-    """p of values ~ sizes^p, least squares in logarithms; NaN from fewer than two sizes."""
+    """p of values ~ sizes^p, least squares in logarithms; NaN from fewer than two sizes, or where a value is 0."""
+    if len(set(sizes)) < 2 or min(values) <= 0.0:
+        return math.nan
     x = [math.log(s) for s in sizes]
     y = [math.log(v) for v in values]
-    if len(set(sizes)) < 2:
-        return math.nan
     mean_x, mean_y = statistics.fmean(x), statistics.fmean(y)
     return (sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y))
             / sum((a - mean_x) ** 2 for a in x))
 
 
-def gaps(record, lowest):
-    """(E_k - E*) / (E_0 - E*) after the start and each iteration, E* = lowest."""
-    return [(e - lowest) / (record["rest_energy"] - lowest) for e in record["energies"]]
+def make_meshes(options):
+    """(family, number of points, file) for each mesh, small ones first; the file is there until the next one."""
+    program = os.path.join(options.programs, "MakeMesh")
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "body.mesh")
+        for size in sorted(options.sizes):
+            for family in options.families:
+                facts = run([program, family, str(size), path], 1)
+                if "error" in facts:
+                    sys.exit(f"no mesh {family} {size}: {facts['error']}")
+                yield family, int(facts["points"]), path
 
 
-def iterations_to(gap, all_gaps):
-    """Number of the first iteration with at most that gap; None if there is none."""
-    return next((k for k, g in enumerate(all_gaps) if g <= gap), None)
+def summarize(results):
+    """{(family, points, method): medians}, in the order measured."""
+    groups = {}
+    for record in results:
+        groups.setdefault((record["family"], record["points"], record["method"]), []).append(record)
+    return {key: medians(records) for key, records in groups.items()}
+
+
+def busy(results):
+    """What share of its time a run on one thread had a processor, at the median, where it had to wait; else ''."""
+    shares = [r["processor_seconds"] / r["total_seconds"] for r in results if "error" not in r]
+    if not shares or statistics.median(shares) > 0.95:
+        return ""
+    return (f"**The machine was busy with something else: runs had a processor for "
+            f"{100 * statistics.median(shares):.0f} % of their time. Ratios hold roughly, seconds do not.**\n")
+
+
+def write_text(options, name, text):
+    os.makedirs(options.output, exist_ok=True)
+    with open(os.path.join(options.output, name), "w", encoding="utf-8") as file:
+        file.write(text)
 
 
 def significant(x, digits=3):
@@ -84,8 +122,8 @@ def markdown(heads, rows):
     return "\n".join(lines) + "\n"
 
 
-def machine(threads):
-    """One line on what it ran on."""
+def machine():
+    """In words what it ran on."""
     model = platform.processor() or platform.machine()
     try:
         with open("/proc/cpuinfo", encoding="utf-8") as info:
@@ -93,4 +131,4 @@ def machine(threads):
                          if line.startswith("model name"))
     except (OSError, StopIteration):
         pass
-    return f"{model}, {os.cpu_count()} cores, {threads} thread(s) used"
+    return f"{model}, {os.cpu_count()} cores"

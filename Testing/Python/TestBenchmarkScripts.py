@@ -23,6 +23,14 @@ def record(method, points, seconds, megabytes=100.0, family="even", **more):
             "start_megabytes": 10.0, "peak_megabytes": megabytes, **more}
 
 
+def rounded(points, seconds, threads=1, **more):
+    """A run of our filter, as the goals take it."""
+    drag = {f"{what}_seconds": seconds / 10 for what in ("center", "roundness")}
+    slowest = {f"{what}_slowest_seconds": seconds / 5 for what in ("center", "roundness")}
+    return record(threads, points, seconds, megabytes=13.0 + points / 2048, **{
+        "input_megabytes": 2.0, "output_megabytes": 1.0, "hash": "a", **drag, **slowest, **more})
+
+
 class Support(unittest.TestCase):
     def test_medians_take_each_number_by_itself(self):
         runs = [{"a": 3.0, "b": 1, "c": "x"}, {"a": 1.0, "b": 9, "c": "x"}, {"a": 2.0, "b": 4, "c": "x"}]
@@ -36,13 +44,7 @@ class Support(unittest.TestCase):
         for power in (-0.5, 1.0, 1.37):
             self.assertAlmostEqual(support.exponent(sizes, [7e-6 * s ** power for s in sizes]), power)
         self.assertTrue(math.isnan(support.exponent([100, 100], [1.0, 2.0])))
-
-    def test_gaps_run_from_the_unmoved_model_to_the_minimum(self):
-        gaps = support.gaps({"rest_energy": 12.0, "energies": [7.0, 3.0, 2.5, 2.0]}, 2.0)
-        self.assertEqual(gaps, [0.5, 0.1, 0.05, 0.0])
-        self.assertEqual(support.iterations_to(0.06, gaps), 2)
-        self.assertEqual(support.iterations_to(0.5, gaps), 0)
-        self.assertIsNone(support.iterations_to(1e-4, gaps[:-1]))
+        self.assertTrue(math.isnan(support.exponent([100, 200], [0.0, 2.0])))
 
     def test_numbers_of_tables(self):
         told = [support.significant(x) for x in (None, math.nan, 0, 0.01234, 1.234, 99.9, 12345.6, 4.2e-6)]
@@ -55,33 +57,34 @@ class Support(unittest.TestCase):
         self.assertIn("took more than", support.run(sleeper, 1, timeout=0.2)["error"])
 
 
-class Comparison(unittest.TestCase):
-    def test_models_are_subdivided_to_the_nearest_size(self):
-        self.assertEqual([compare_peers.subdivisions(50000, size) for size in (1000, 50000, 99000, 120000, 949000)],
-                         [0, 0, 0, 1, 2])
+    def test_a_busy_machine_is_told(self):
+        runs = [record("energy", 100, 1.0) for _ in range(3)]
+        self.assertIn("50 % of their time", support.busy(runs))
+        self.assertEqual(support.busy([{**r, "processor_seconds": 0.99} for r in runs]), "")
 
+
+class Comparison(unittest.TestCase):
     def test_table_has_ratios_and_failures(self):
-        summary = compare_peers.summarize([
-            record("details", 100, 0.5, gap=2e-5), record("details", 100, 0.1, gap=2e-5),
-            record("details", 100, 0.2, gap=2e-5), record("cgal", 100, 4.0),
-            {"family": "even", "points": 100, "method": "open3d", "error": "not finite"}])
+        summary = support.summarize([
+            record("energy", 100, 0.5), record("energy", 100, 0.1), record("energy", 100, 0.2),
+            record("cgal", 100, 4.0), {"family": "even", "points": 100, "method": "open3d", "error": "not finite"}])
         ours, cgal, open3d = compare_peers.table(summary, "even", 100).splitlines()[2:]
         cells = [cell.strip() for cell in ours.split("|")]
-        self.assertEqual(cells[5:9], ["0.2", "0.1", "20", "-"])  # total s, processor s, CGAL takes, with CHOLMOD
-        self.assertEqual(cells[11], "2.0e-05")
+        self.assertEqual(cells[5:10], ["0.2", "0.1", "20", "-", "-"])  # total s, processor s, what the peers take
         self.assertIn("| 1 |", cgal)
         self.assertIn("fails: not finite", open3d)
 
-    def test_a_busy_machine_is_told(self):
-        runs = [record("uniform", 100, 1.0) for _ in range(3)]
-        self.assertIn("50 % of their time", compare_peers.busy(compare_peers.parse([]), runs))
-        self.assertEqual(compare_peers.busy(compare_peers.parse(["--threads", "2"]), runs), "")
-        idle = [{**r, "processor_seconds": 0.99} for r in runs]
-        self.assertEqual(compare_peers.busy(compare_peers.parse([]), idle), "")
+    def test_overview_has_updates_beside_first_results(self):
+        summary = support.summarize([
+            record("closed-form", 1000, 0.5, center_seconds=0.05, roundness_seconds=0.04), record("cgal", 1000, 9.0),
+            record("closed-form", 2000, 1.0, center_seconds=0.1, roundness_seconds=0.08)])
+        heads, _, *rows = compare_peers.overview(summary).splitlines()
+        self.assertEqual(heads, "| mesh | points | ours: first result | moved center | another `Roundness` | CGAL |")
+        self.assertEqual(rows, ["| even | 1,000 | 0.5 | 0.05 | 0.04 | 9 |", "| even | 2,000 | 1 | 0.1 | 0.08 | - |"])
 
     def test_growth_of_memory_is_without_the_empty_process(self):
-        summary = compare_peers.summarize(
-            [record("uniform", n, 1e-6 * n ** 1.2, megabytes=10.0 + 2e-3 * n) for n in (1000, 10000)])
+        summary = support.summarize(
+            [record("energy", n, 1e-6 * n ** 1.2, megabytes=10.0 + 2e-3 * n) for n in (1000, 10000)])
         ((family, _, time, memory),) = compare_peers.growth(summary)
         self.assertEqual(family, "even")
         self.assertAlmostEqual(time, 1.2)
@@ -92,43 +95,34 @@ class Goals(unittest.TestCase):
     def test_verdicts(self):
         self.assertEqual(report_goals.verdict(0.4, 0.1), "0.4 of 0.1: missed")
         self.assertEqual(report_goals.verdict(0.1, 0.1), "0.1 of 0.1: reached")
-        self.assertEqual(report_goals.verdict(30.0, 20, True), "30 of 20: reached")
-        self.assertEqual(report_goals.verdict(None, 1), "-")
+        self.assertEqual(report_goals.verdict(30.0, 20, at_least=True), "30 of 20: reached")
+        self.assertEqual(report_goals.verdict(30.0, None), "30")
+        self.assertEqual(report_goals.verdict(math.nan, 1.05), "-")
 
-    def test_sizes_are_the_nearest_measured(self):
-        summary = compare_peers.summarize(
-            [record("uniform", n, float(n)) for n in (2000, 34812, 90000, 98012, 600000)])
-        found = report_goals.at_sizes(summary, "even", "uniform")
-        self.assertEqual([r and r["points"] for r in found], [34812, 98012, None, None])
+    def test_goals_are_those_of_the_size_asked_for(self):
+        goals = {99000: 1, 949000: 2}
+        self.assertEqual([report_goals.goal_near(goals, n) for n in (2000, 98012, 236000, 948642)], [None, 1, None, 2])
 
-    def test_ratios_to_peers(self):
-        summary = compare_peers.summarize([record("uniform", 35000, 0.1), record("uniform-30", 35000, 0.4),
-                                           record("cgal-cholmod", 35000, 8.0)])
-        rows = {row[0]: row[1] for row in report_goals.against_peers(summary)}
-        self.assertEqual(rows["whole run, even: CGAL with CHOLMOD / ours, uniform weights"], "80 of 20: reached")
-        self.assertEqual(rows["an iteration, even: CGAL with CHOLMOD / ours"], "20 of 15: reached")
-        self.assertEqual(rows["an iteration, even: Open3D / ours"], "-")
+    def test_memory_is_without_input_and_output(self):
+        self.assertAlmostEqual(report_goals.kilobytes_per_point(rounded(98012, 1.0)), 0.5)
 
-    def test_iterations_that_never_reach_the_gap_miss(self):
-        summary = compare_peers.summarize([
-            record("uniform", 35000, 1.0, gap=1e-3, **{"iterations_to_1e-4": None}),
-            record("uniform", 35000, 1.0, family="slivers", gap=1e-5, **{"iterations_to_1e-4": 4})])
-        rows = {row[0]: row[1] for row in report_goals.memory_and_iterations(summary)}
-        self.assertEqual(rows["iterations to 1e-4, even: ours, uniform weights"], "inf of 5: missed")
-        self.assertEqual(rows["iterations to 1e-4, slivers: ours, uniform weights"], "4 of 25: reached")
-        self.assertFalse([name for name in rows if "iterations" in name and "DetailSize" in name])  # it has none
+    def test_table(self):
+        summary = support.summarize([rounded(2000, 0.1), rounded(2000, 0.05, threads=2), rounded(98012, 0.2),
+                                     rounded(98012, 0.2, threads=2, hash="b")])
+        rows = report_goals.goal_table(summary, "even").splitlines()
+        self.assertEqual(rows[0], "| even | 2,000 points | 98,012 points |")
+        self.assertIn("| first result, s | 0.1 | 0.2 of 0.25: reached |", rows)
+        self.assertIn("| moved center, ms | 10 | 20 of 25: reached |", rows)
+        self.assertIn("| memory beyond input and output, KB a point | 0.5 | 0.5 of 0.6: reached |", rows)
+        self.assertIn("| speed-up by two threads: first result | 2 | 1 of 1.6: missed |", rows)
+        self.assertIn("| same bits with two threads | yes | no |", rows)
 
-    def test_stages_with_other_bits_are_told(self):
-        stage = {"real_time": 4.0, "s_per_point": 1e-8, "bytes": 5e9}
-        limits = {"Limit:Read": {"bytes": 1e10}, "Limit:ReadHugePages": {"bytes": 2e10},
-                  "Limit:Arithmetic": {"flops": 1e11}}
-        stages = {1: {**limits, "Solve": {**stage, "label": "a"}, "Energy": {**stage, "label": "b"}},
-                  2: {**limits, "Solve": {**stage, "label": "a", "real_time": 2.0},
-                      "Energy": {**stage, "label": "c"}}}
-        self.assertEqual(report_goals.same_bits(stages), ["Energy"])
-        table = report_goals.stage_table(stages)
-        self.assertIn("| Solve | 4 | 10 | 25 % | - | 2 of 1.6: reached | yes |", table)
-        self.assertIn("| Energy | 4 | 10 | 25 % | - | 1 of 1.6: missed | no |", table)
+    def test_growth(self):
+        summary = support.summarize([rounded(n, 1e-6 * n ** power, family=family)
+                                     for family, power in (("even", 1.0), ("slivers", 1.2)) for n in (1000, 10000)])
+        rows = report_goals.growth_table(summary).splitlines()
+        self.assertIn("| even | 1 of 1.05: reached |", rows[2])
+        self.assertIn("| slivers | 1.2 of 1.05: missed |", rows[3])
 
 
 class Faults(unittest.TestCase):
