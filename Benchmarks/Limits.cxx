@@ -7,10 +7,7 @@
 #include "Parallel.h"
 #include "Stages.h"
 
-#include <benchmark/benchmark.h>
-
 #include <cstdlib>
-#include <memory>
 #include <numeric>
 #ifdef __linux__
 #include <sys/mman.h>
@@ -61,23 +58,17 @@ double Sum(const double* x, int count)
   return std::accumulate(sums, sums + 16, 0.0);
 }
 
-void Rate(benchmark::State& state, const char* name, double perIteration)
-{
-  state.counters[name] =
-    benchmark::Counter(perIteration, benchmark::Counter::kIsIterationInvariantRate);
-}
-
 void Read(benchmark::State& state, int threads, bool huge)
 {
   const Buffer x = Allocate(Doubles, huge);
-  while (state.KeepRunning())
+  for (auto _ : state)
   {
     // ParallelFor gives small numbers of items to one thread: count in blocks of 1024.
     ParallelFor(Doubles / 1024, threads,
       [&](int begin, int end)
       { benchmark::DoNotOptimize(Sum(x.get() + 1024 * begin, 1024 * (end - begin))); });
   }
-  Rate(state, "bytes", double(Doubles) * sizeof(double));
+  ReportRate(state, "bytes", double(Doubles) * sizeof(double));
 }
 
 void Triad(benchmark::State& state, int threads)
@@ -86,7 +77,7 @@ void Triad(benchmark::State& state, int threads)
   const Buffer a = Allocate(count, true);
   const Buffer b = Allocate(count, true);
   const Buffer c = Allocate(count, true);
-  while (state.KeepRunning())
+  for (auto _ : state)
   {
     ParallelFor(count, threads,
       [&](int begin, int end)
@@ -98,7 +89,7 @@ void Triad(benchmark::State& state, int threads)
       });
     benchmark::ClobberMemory();
   }
-  Rate(state, "bytes", 3.0 * count * sizeof(double));
+  ReportRate(state, "bytes", 3.0 * count * sizeof(double));
 }
 
 constexpr int Chains = 12; // enough to hide the latency of a multiplication with addition
@@ -187,12 +178,12 @@ void Arithmetic(benchmark::State& state, int threads)
 {
   const Kernel kernel = WidestKernel();
   constexpr int perThread = 4096; // as many items as ParallelFor gives to a thread of its own
-  while (state.KeepRunning())
+  for (auto _ : state)
   {
     ParallelFor(
       perThread * threads, threads, [&](int, int) { benchmark::DoNotOptimize(kernel.run()); });
   }
-  Rate(state, "flops", 2.0 * kernel.width * Chains * double(Rounds) * threads);
+  ReportRate(state, "flops", 2.0 * kernel.width * Chains * double(Rounds) * threads);
   state.SetLabel(std::to_string(64 * kernel.width) + "-bit vectors");
 }
 

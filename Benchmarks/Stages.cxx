@@ -3,15 +3,12 @@
 //
 // Google Benchmark of every stage, and of what this machine can do at most.
 #include "Stages.h"
-
-#include "BenchmarkProgram.h"
-
-#include <benchmark/benchmark.h>
+#include "Frame.h"
 
 namespace
 {
 constexpr const char* Usage =
-  "usage: Stages [--benchmark_...=...] [--sizes 2000,35000,...] [--families even,slivers]\n"
+  "usage: Stages [--benchmark_...=...] [--sizes 237000,...] [--families even,slivers]\n"
   "              [--threads 1]";
 
 std::vector<std::string> Split(const std::string& list)
@@ -26,10 +23,11 @@ std::vector<std::string> Split(const std::string& list)
 }
 }
 
-std::string Benchmarks::NameOf(const std::string& stage, const MeshKey& key, int threads)
+SphericalStyle::TriangleMesh Benchmarks::MakeFramedMesh(const MeshKey& key)
 {
-  return stage + '/' + key.family + '/' + std::to_string(key.numberOfPoints) +
-    "/threads:" + std::to_string(threads);
+  SphericalStyle::TriangleMesh mesh = MakeMesh(FamilyNamed(key.family), key.numberOfPoints);
+  mesh.P = SphericalStyle::FrameOf(mesh.P).Into(mesh.P);
+  return mesh;
 }
 
 int main(int argc, char* argv[])
@@ -38,9 +36,8 @@ int main(int argc, char* argv[])
     [&]
     {
       benchmark::Initialize(&argc, argv); // takes its own options away
-      const Benchmarks::Arguments arguments(argc, argv,
-        { { "--sizes", "2000,10000,35000,99000,237000,949000" }, { "--families", "even,slivers" },
-          { "--threads", "1" } });
+      const Benchmarks::Arguments arguments(
+        argc, argv, { { "--sizes", "237000" }, { "--families", "even" }, { "--threads", "1" } });
       const int threads = arguments.Integer("--threads");
       Benchmarks::RegisterLimits(threads);
       for (const std::string& family : Split(arguments.Text("--families")))
@@ -48,8 +45,8 @@ int main(int argc, char* argv[])
         for (const std::string& size : Split(arguments.Text("--sizes")))
         {
           const Benchmarks::MeshKey key = { family, std::stoi(size) };
-          Benchmarks::RegisterSolverStages(key, threads);
-          Benchmarks::RegisterFilter(key, threads);
+          Benchmarks::RegisterClosedFormStages(key, threads);
+          Benchmarks::RegisterEnergyStages(key, threads);
         }
       }
       benchmark::RunSpecifiedBenchmarks();
