@@ -47,7 +47,6 @@ public:
     }
   }
 
-  std::size_t Size() const { return this->Positional.size(); }
   const std::string& At(std::size_t k) const
   {
     if (k >= this->Positional.size())
@@ -85,15 +84,6 @@ public:
   Record& Add(const std::string& name, const std::string& value)
   {
     return this->AddField(name, '"' + value + '"');
-  }
-  Record& Add(const std::string& name, const std::vector<double>& values)
-  {
-    std::string text;
-    for (const double value : values)
-    {
-      text += (text.empty() ? "" : ", ") + Format(value);
-    }
-    return this->AddField(name, "[" + text + "]");
   }
   void Print() const { std::cout << "{" << this->Text << "}" << std::endl; }
 
