@@ -4,8 +4,8 @@
 
 usage: measure_stages.py [--runs N] [--detail-size S] [--uniform] [--proxy] [MESH.ply or MESH.vtp ...]
 
-vtkSphericalStyleFilter: first result, moved centre, changed Roundness. With --proxy
-vtkConvexProxyDeformFilter: first result, another t. Medians of N runs in milliseconds, default
+vtkSphericalStyleFilter: first result, moved center, another Roundness, then the stages of the first. With --proxy
+vtkConvexProxyDeformFilter: first result, another t, then its stages. Medians of N runs in milliseconds, default
 settings but the detail size and, with --uniform, weights that iterate; without a mesh the models of Data/. Run with
 PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3.
 """
@@ -41,34 +41,36 @@ def milliseconds(f):
     return 1e3 * (time.perf_counter() - begin)
 
 
-def one_run(surface, detail_size, uniform):
-    """First, moved centre, changed Roundness, then the stages of the first."""
+def stages(table):
+    """{stage: milliseconds} of the last execution."""
+    seconds = table.GetFieldData().GetArray("StageSeconds")
+    return {seconds.GetComponentName(k).lower(): 1e3 * seconds.GetComponent(0, k)
+            for k in range(seconds.GetNumberOfComponents())}
+
+
+def one_run(surface, arguments):
     f = sphericalstyle.vtkSphericalStyleFilter()
     f.SetInputData(surface)
-    if detail_size is not None:
-        f.SetDetailSize(detail_size)
-    if uniform:
+    if arguments.detail_size is not None:
+        f.SetDetailSize(arguments.detail_size)
+    if arguments.uniform:
         f.SetSphericalWeightingToUniform()
     first = milliseconds(f)
-    iterations = f.GetNumberOfIterations()
-    stages = f.GetOutputDataObject(1).GetFieldData().GetArray("StageSeconds")
-    seconds = [1e3 * stages.GetComponent(0, k) for k in range(stages.GetNumberOfComponents())]
+    parts = {**stages(f.GetOutputDataObject(1)), "iterations": f.GetNumberOfIterations()}
     f.SetCenter(*(x + 0.1 * f.GetEffectiveRadius() for x in f.GetEffectiveCenter()))
     f.SetCenterModeToCustom()
     moved = milliseconds(f)
     f.SetRoundness(2.0 * f.GetRoundness())
-    return [first, moved, milliseconds(f), *seconds, iterations]
+    return {"first": first, "center": moved, "Roundness": milliseconds(f), **parts}
 
 
-def one_proxy_run(surface):
-    """First, another t, then the stages of the first."""
+def one_proxy_run(surface, _):
     f = sphericalstyle.vtkConvexProxyDeformFilter()  # of builds with CGAL
     f.SetInputData(surface)
     first = milliseconds(f)
-    stages = f.GetOutput(1).GetFieldData().GetArray("StageSeconds")
-    seconds = [1e3 * stages.GetComponent(0, k) for k in range(stages.GetNumberOfComponents())]
+    parts = {**stages(f.GetOutput(1)), "proxy points": f.GetEffectiveNumberOfProxyPoints()}
     f.SetBlend(0.3)
-    return [first, milliseconds(f), *seconds, f.GetEffectiveNumberOfProxyPoints()]
+    return {"first": first, "other t": milliseconds(f), **parts}
 
 
 parser = argparse.ArgumentParser()
@@ -80,14 +82,14 @@ parser.add_argument("meshes", nargs="*")
 arguments = parser.parse_args()
 if arguments.runs < 1:
     parser.error("--runs: at least 1")
-heads = ["first", "centre", "lambda", "base", "weights", "analyze", "factor", "iterate", "triangles", "iterations"]
-if arguments.proxy:
-    heads = ["first", "other t", "proxy", "round", "project", "transfer", "proxy points"]
-print(f"{'mesh':20s} {'points':>8s} " + " ".join(f"{h:>12s}" for h in heads))
+heads = None
 for path in arguments.meshes or sorted(glob.glob(os.path.join(DATA, "*.vtp"))):
     surface = read(path)
-    runs = [one_proxy_run(surface) if arguments.proxy else one_run(surface, arguments.detail_size, arguments.uniform)
-            for _ in range(arguments.runs)]
-    medians = [statistics.median(column) for column in zip(*runs)]
+    measure = one_proxy_run if arguments.proxy else one_run
+    runs = [measure(surface, arguments) for _ in range(arguments.runs)]
+    if heads is None:
+        heads = list(runs[0])
+        print(f"{'mesh':20s} {'points':>8s} " + " ".join(f"{h:>12s}" for h in heads))
+    medians = [statistics.median(run[head] for run in runs) for head in heads]
     name = os.path.splitext(os.path.basename(path))[0]
     print(f"{name:20s} {surface.GetNumberOfPoints():8d} " + " ".join(f"{m:12.1f}" for m in medians))
