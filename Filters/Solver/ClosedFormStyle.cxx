@@ -30,7 +30,6 @@ constexpr double LeastAgreement = 0.2;
 /// The base counts in full where smoothing takes 1 to within 1 %, and not where it is off by 3 %.
 constexpr double MostKnown = 1.5;
 constexpr double LossOfKnown = 50.0;
-constexpr int RoundsOfYield = 2;
 /// Smooth share of yielding places below which their say fades: how far from a crease details give
 /// way.
 constexpr double FewYields = 0.01;
@@ -92,7 +91,7 @@ public:
   void JoinCenters(const ClosedFormOptions& o, const std::vector<Points>& targets);
   void BlendBase(const ClosedFormOptions& o);
   void CarryDetails(const ClosedFormOptions& o);
-  bool Yield(const ClosedFormOptions& o, const Points& turned, const Eigen::VectorXd& areas);
+  void Yield(const ClosedFormOptions& o, const Points& turned, const Eigen::VectorXd& areas);
   void Place(const ClosedFormOptions& o, ClosedFormReport& report);
 };
 
@@ -485,16 +484,13 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
         areas(k) = turned.row(k).dot(after.row(k));
       }
     });
-  for (int round = 0; round < RoundsOfYield && this->Yield(o, turned, areas); ++round)
-  {
-  }
+  this->Yield(o, turned, areas);
 }
 
 /// Details give way where they would fold: in creases, where the base becomes narrow and they do
 /// not [carry].
 /// @param turned  area vectors of the samples, turned @param areas  of the base, along them
-/// @return whether there was such a place
-bool ClosedFormStyle::State::Yield(
+void ClosedFormStyle::State::Yield(
   const ClosedFormOptions& o, const Points& turned, const Eigen::VectorXd& areas)
 {
   const Points carried =
@@ -512,7 +508,7 @@ bool ClosedFormStyle::State::Yield(
   }
   if (yields.isZero(0.0))
   {
-    return false;
+    return;
   }
   const Fields yield =
     this->Grid.AtPoints(this->Grid.Smooth(yields, o.threads), *this->P, o.threads);
@@ -526,7 +522,6 @@ bool ClosedFormStyle::State::Yield(
         this->Positions.row(i) -= share * (this->Positions.row(i) - this->Moved.row(i));
       }
     });
-  return true;
 }
 
 /// [size], and what stays where it is.

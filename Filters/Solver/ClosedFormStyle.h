@@ -85,7 +85,7 @@ struct SolveAborted
 ///
 ///     smooth_s(smooth_s(G'_k G_k^T + N' N^T / (w_k sqrt(|N'| |N|)))).
 ///
-/// Details give way, in two rounds, where they would fold: with a_k the area of B' in sample k
+/// Details give way where they would fold: with a_k the area of B' in sample k
 /// along the turned normal R_k N_k and b_k that of P', y_k = (a_k / 2 - b_k) / (a_k - b_k) where
 /// b_k < a_k / 2, else 0, P'_i moves toward B'_i by the share smooth_s(y^2)_i / (smooth_s(y)_i +
 /// .01): the mean of y where it is not 0, which fades where few such places are near.

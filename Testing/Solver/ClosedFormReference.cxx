@@ -1100,8 +1100,6 @@ public:
       this->R[i] = RotationOf(MatrixOf(ofPoints, i));
       this->Positions.row(i) += (this->R[i] * (RowOf(this->P, i) - RowOf(base.B, i))).transpose();
     }
-    // Twice.
-    this->Yield(grid, H, smooth, moved);
     this->Yield(grid, H, smooth, moved);
   }
 
