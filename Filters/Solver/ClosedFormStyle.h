@@ -95,7 +95,7 @@ struct SolveAborted
 /// each moves as a whole [centers].
 ///
 /// Cost at n points: a pass over the triangles for the grid, sums over its samples and a factor of
-/// G functions (SurfaceGrid), three rays a sample of a coarse grid; then a change costs some 20
+/// G functions (SurfaceGrid), a ray a sample of a coarse grid; then a change costs some 20
 /// small solves and a few passes over points and triangles. Memory about 400 bytes a point.
 class ClosedFormStyle
 {

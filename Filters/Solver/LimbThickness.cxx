@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -17,7 +16,6 @@ namespace SphericalStyle
 {
 namespace
 {
-constexpr double RayAngle = 0.1;     // of the outer rays; a ball loses .5 % of its thickness by it
 constexpr double Thinnest = 0.002;   // fraction of the diagonal, as all lengths here
 constexpr double MostSamples = 0.98; // have less than the upper bound
 constexpr double Against = -0.3; // of the cosine to the surroundings below which a sample is wrong
@@ -27,31 +25,11 @@ constexpr double WallStiffness =
 constexpr double FewestAnswers = 0.01;
 constexpr double BlindSubCells = 0.5; // of the spacing: the sheet that a ray starts from
 
-/// -n and one direction on each side of it, in the plane of n and `toward`: mirror images of a
-/// surface get mirrored rays.
-std::array<Eigen::Vector3d, 3> Directions(const Eigen::Vector3d& n, const Eigen::Vector3d& toward)
-{
-  Eigen::Vector3d x = toward - toward.dot(n) * n;
-  if (!(x.squaredNorm() > 1e-20))
-  {
-    x = n.unitOrthogonal();
-  }
-  x.normalize();
-  const Eigen::Vector3d inward = -std::cos(RayAngle) * n;
-  return { -n, inward + std::sin(RayAngle) * x, inward - std::sin(RayAngle) * x };
-}
-
 /// Half of what is between the two sides of a sheet that lie in one sample.
 double HalfOfSheet(const SurfaceGrid& grid, int k)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(grid.GetSpreads()[k]);
   return std::sqrt(std::max(0.0, spread.eigenvalues()(0)));
-}
-
-double MedianOf(std::vector<double> lengths)
-{
-  std::sort(lengths.begin(), lengths.end());
-  return 0.5 * (lengths[(lengths.size() - 1) / 2] + lengths[lengths.size() / 2]);
 }
 }
 
@@ -68,30 +46,21 @@ Eigen::VectorXd LimbThickness(
     normals.row(k) = normals.row(k).stableNormalized().eval();
   }
   const Fields around = grid.AtSamples(grid.Smooth(normals, threads), threads);
-  const Eigen::Vector3d middle = (places.transpose() * grid.GetWeights()) / grid.GetWeights().sum();
   const TriangleTree tree(B, F);
   const double blind = BlindSubCells * grid.GetSpacing();
 
-  /// Half of the median of the rays; 0 where nothing is met.
+  /// 0 where the ray meets nothing.
   const auto measure = [&](int k)
   {
     const Eigen::Vector3d n = normals.row(k);
-    std::vector<double> lengths;
-    if (n.squaredNorm() > 0.5 && around.row(k).dot(n.transpose()) >= Against)
+    if (!(n.squaredNorm() > 0.5 && around.row(k).dot(n.transpose()) >= Against))
     {
-      const Eigen::Vector3d origin = places.row(k);
-      for (const Eigen::Vector3d& direction : Directions(n, origin - middle))
-      {
-        FirstHit hit(B, F, origin, direction, FirstHit::Nothing);
-        hit.SkipOutsides(blind);
-        hit.Search(tree);
-        if (hit.GetTriangle() >= 0)
-        {
-          lengths.push_back(hit.GetDistance());
-        }
-      }
+      return 0.0;
     }
-    return lengths.empty() ? 0.0 : std::max(Thinnest, 0.5 * MedianOf(lengths));
+    FirstHit hit(B, F, places.row(k), -n, FirstHit::Nothing);
+    hit.SkipOutsides(blind);
+    hit.Search(tree);
+    return hit.GetTriangle() >= 0 ? std::max(Thinnest, 0.5 * hit.GetDistance()) : 0.0;
   };
   std::vector<double> found(samples);
   ParallelTasks((samples + 255) / 256, threads,

@@ -13,18 +13,18 @@ namespace SphericalStyle
 constexpr double LimbSize = 0.075;
 
 /// Half of the thickness of the limb that each point belongs to [limb]. From each sample of a grid
-/// of LimbSize three rays go inward through the base: one against its normal n_k, two at .1 radians
-/// from it on both sides, in the plane of n_k and the middle of the surface. rho_k is half of the
-/// median of their lengths, no less than .002 and no more than the radius r or what 98 % of the
-/// samples have; its logarithm is smoothed with LimbSize. (Twicing would keep a ball at its size
-/// next to a bar, 1 % in place of 2 %, and scallop the edges of a box.)
+/// of LimbSize a ray goes inward through the base, against its normal n_k. rho_k is half of its
+/// length, no less than .002 and no more than the radius r or what 98 % of the samples have; its
+/// logarithm is smoothed with LimbSize. (Twicing would keep a ball next to a bar at its size, 1 %
+/// in place of 2 % off, and scallop the edges of a box.) One ray does what the median of several
+/// around it does, with a third of the time, for the samples lie close.
 ///
-/// - A ray does not see outsides within half a cell: the surface it starts from.
+/// - The ray does not see outsides within half a cell: the surface it starts from.
 /// - A sample that holds both sides of a sheet, |N_k| / w_k < 1/2, takes half of what is between
 ///   them, the more the smaller |N_k| is.
 /// - A sample that faces against its surroundings, n_k . smooth(n)_k < -.3, as where triangles are
 ///   flipped, says nothing.
-/// - Where no ray meets anything, as on an open sheet, r.
+/// - Where no ray meets anything around, as on an open sheet, r.
 ///
 /// @param P, B  n x 3 points and base, in the frame @param F  m x 3, facing outward @param radius
 /// r @return n, above 0

@@ -21,18 +21,14 @@ TURNED_OVER = {"defaults": 0.1, "Soft": 0.1, "Toy": 0.1, "Chibi": 0.1, "Ball": 0
 # What does not hold: {(claim, model): (why, {style: measured})}; a tenth more than that is a failure.
 THIN = "hard thin panels, far thinner than the details that are kept"
 EXCEPTIONS = {
-    ("turned over", "car"): (THIN, {"defaults": 1.37, "Soft": 0.76, "Toy": 1.37, "Chibi": 1.25, "Ball": 1.2}),
-    ("turned over", "goblet-vase"): (THIN, {"defaults": 0.11, "Toy": 0.11, "Chibi": 0.44}),
-    ("turned over", "lidar-sensor"): (THIN, {"defaults": 0.54, "Soft": 0.36, "Toy": 0.54, "Chibi": 0.35, "Ball": 4.6}),
-    ("turned over", "Data/car"): (THIN, {"defaults": 0.29, "Soft": 0.11, "Toy": 0.29, "Chibi": 0.27, "Ball": 1.03}),
-    ("turned over", "Data/stone-house"): ("the foot of the chimney, which sinks into the roof", {"Chibi": 0.36}),
+    ("turned over", "car"): (THIN, {"defaults": 1.19, "Soft": 0.97, "Toy": 1.19, "Chibi": 1.32, "Ball": 1.49}),
+    ("turned over", "lidar-sensor"): (THIN, {"defaults": 0.53, "Soft": 0.37, "Toy": 0.53, "Chibi": 0.35, "Ball": 4.43}),
+    ("turned over", "Data/car"): (THIN, {"defaults": 0.26, "Soft": 0.12, "Toy": 0.26, "Chibi": 0.28, "Ball": 0.69}),
+    ("turned over", "Data/stone-house"): ("the foot of the chimney, which sinks into the roof",
+                                          {"defaults": 0.132, "Toy": 0.132, "Chibi": 0.313}),
     ("turned over", "Data/tangram-prism"): ("a plate becomes a ball", {"defaults": 0.147, "Toy": 0.147, "Ball": 0.47}),
-    ("turned over", "lucy"): ("feathers that the ball draws together", {"Ball": 0.41}),
-    ("unevenness", "wingnut"): ("the tips of the wings crumple", {"defaults": 6.97, "Toy": 6.97}),
-    ("turned over", "wingnut"): ("the tips of the wings, thinner than DetailSize", {"defaults": 0.148, "Toy": 0.148}),
     ("opening", "lidar-sensor"): ("plates between parts; the thesis opens them by 0.11 and 0.22",
-                                  {"defaults": 0.016, "Soft": 0.0113, "Toy": 0.016, "Chibi": 0.0165, "Ball": 0.035}),
-    ("opening", "Data/car"): ("a wheel; as the thesis, which opens it by 0.011", {"Ball": 0.0103}),
+                                  {"defaults": 0.0114, "Toy": 0.0114, "Chibi": 0.0234, "Ball": 0.0193}),
 }
 COLUMNS = ["model", "case", "points", "parts", "seconds", "factor", "spike", "opening", "own opening", "fold change",
            "own fold change", "fold excess", "unevenness", "own unevenness", "turned over"]

@@ -805,14 +805,6 @@ public:
     const DenseGrid& grid = *this->Limbs;
     const Matrix places = grid.Means(base.B);
     const Matrix gradients = grid.Gradients(base.B);
-    Vector middle = Vector::Zero();
-    double area = 0.0;
-    for (std::size_t k = 0; k < grid.Samples.size(); ++k)
-    {
-      middle += grid.Samples[k].weight * places.row(k).transpose();
-      area += grid.Samples[k].weight;
-    }
-    middle /= area;
     Matrix normals(grid.Samples.size(), 3);
     for (std::size_t k = 0; k < grid.Samples.size(); ++k)
     {
@@ -825,29 +817,12 @@ public:
     {
       const DenseGrid::Sample& sample = grid.Samples[k];
       const Vector n = normals.row(k).transpose();
-      const Vector origin = places.row(k).transpose();
-      const Vector x = ((Matrix3::Identity() - n * n.transpose()) * (origin - middle)).normalized();
-      std::vector<double> lengths;
-      for (const double tilt : { 0.0, 0.1, -0.1 })
-      {
-        if (around.row(k).dot(normals.row(k)) < -0.3)
-        {
-          break; // a flipped sample
-        }
-        const Vector direction = -std::cos(tilt) * n + std::sin(tilt) * x;
-        const Hit hit = FirstHitOf(base.B, this->Outward, origin, direction,
-          std::numeric_limits<double>::infinity(), 0.5 * grid.Spacing);
-        if (hit.triangle >= 0)
-        {
-          lengths.push_back(hit.distance);
-        }
-      }
       double rho = 0.0;
-      if (!lengths.empty())
+      if (around.row(k).dot(normals.row(k)) >= -0.3) // else a flipped sample
       {
-        std::sort(lengths.begin(), lengths.end());
-        const std::size_t m = lengths.size();
-        rho = std::max(0.002, 0.25 * (lengths[(m - 1) / 2] + lengths[m / 2]));
+        const Hit hit = FirstHitOf(base.B, this->Outward, places.row(k).transpose(), -n,
+          std::numeric_limits<double>::infinity(), 0.5 * grid.Spacing);
+        rho = hit.triangle >= 0 ? std::max(0.002, 0.5 * hit.distance) : 0.0;
       }
       const double facing = 2.0 * sample.areaVector.norm() / sample.weight;
       if (facing < 1.0) // both sides of a sheet

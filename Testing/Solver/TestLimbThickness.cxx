@@ -306,7 +306,7 @@ void Shapes()
     return Eigen::VectorXd(frame.scale * rho);
   };
   const Eigen::VectorXd ball = thickness(Icosphere(4), 10.0);
-  CHECK(ball.maxCoeff() < 1.001 && ball.minCoeff() > 0.99,
+  CHECK(ball.maxCoeff() < 1.001 && ball.minCoeff() > 0.998,
     "a ball of radius 1 has the thickness " << ball.minCoeff() << " to " << ball.maxCoeff());
   const Eigen::VectorXd small = thickness(Icosphere(4), 0.1);
   CHECK_NEAR(small.maxCoeff(), 0.1 * std::sqrt(12.0), 1e-9, "a thickness above r");
@@ -315,7 +315,7 @@ void Shapes()
   std::cout << "ball: thickness " << ball.minCoeff() << " to " << ball.maxCoeff()
             << "; wall of half thickness .2: " << wall.minCoeff() << " to " << wall.maxCoeff()
             << std::endl;
-  CHECK(wall.maxCoeff() < 0.203 && wall.minCoeff() > 0.198,
+  CHECK(wall.maxCoeff() < 0.2005 && wall.minCoeff() > 0.199,
     "a wall of .4 has the half thickness " << wall.minCoeff() << " to " << wall.maxCoeff());
   const double sheetRadius = 0.2;
   const Eigen::VectorXd sheet = thickness(Patch(12, 0.0), sheetRadius);
