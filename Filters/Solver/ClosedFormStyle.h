@@ -90,9 +90,14 @@ struct SolveAborted
 /// b_k < a_k / 2, else 0, P'_i moves toward B'_i by the share smooth_s(y^2)_i / (smooth_s(y)_i +
 /// .01): the mean of y where it is not 0, which fades where few such places are near.
 ///
+/// With OwnThickness rho is bounded by the largest radius of all centers. What is outside of the
+/// region takes part in base, normals, rotations and thickness, but not in mean, size and ground.
+/// The result is moved so that its mean stays, then scaled about it, then put on the ground [size].
+///
 /// Several centers: T_i = sum_k omega_k (O_k + ...) + Y, omega the smooth shares of the centers,
 /// and Y the field with grad Y nearest to - sum_k (O_k + ...) grad omega_k: parts keep together,
-/// each moves as a whole [centers].
+/// each moves as a whole [centers]. The grid of shares and joints has the size of the blend, but at
+/// least .02.
 ///
 /// Cost at n points: a pass over the triangles for the grid, sums over its samples and a factor of
 /// G functions (SurfaceGrid), a ray a sample of a coarse grid; then a change costs some 20

@@ -37,7 +37,8 @@ Eigen::VectorXd LimbThickness(
 ///
 ///     weight = 24 w_k cos^2 theta (1 / d^2 - 1 / (2 s)^2),
 ///
-/// d not below s / 10. Both sides of a wall find each other. Gaps are no walls.
+/// d not below s / 10. Both sides of a wall find each other. Gaps are no walls. A sample with both
+/// sides of a sheet, |N_k| / w_k < 1/2, looks for none: they are together already.
 /// @param F  m x 3, the triangles face outward
 std::vector<GridPair> FindWalls(
   const SurfaceGrid& grid, const Points& P, const Triangles& F, int threads);

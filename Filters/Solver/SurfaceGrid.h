@@ -26,8 +26,10 @@ struct GridPair
 
 /// Quadratic B-splines phi_g on a regular grid of spacing h = s / 1.5, restricted to a surface
 /// (Chuang, Luo, Brown, Rusinkiewicz, Kazhdan, Estimating the Laplace-Beltrami operator by
-/// restricting 3D functions, Symposium on Geometry Processing 2009). Only functions that touch the
-/// surface count: their number depends on the area and on s, and not on the triangles.
+/// restricting 3D functions, Symposium on Geometry Processing 2009). Cells are those cubes of edge
+/// h in which one set of 27 functions is not 0; cells with a sample are active, and only functions
+/// of active cells count: their number depends on the area and on s, and not on the triangles. A
+/// field is 0 at places in other cells.
 ///
 /// Splat: integrals over the surface are sums over quadrature points, weighted 3/4 at the centroid
 /// and 1/12 at each corner of a triangle; triangles longer than .75 h are cut evenly before. What
@@ -46,8 +48,8 @@ struct GridPair
 ///
 /// Sample: a field is the sum of 27 products at any place near the surface.
 ///
-/// The grid lies symmetrically about the origin, which is the middle of the bounds of a mesh in its
-/// Frame: a mirror image gets the mirrored grid. Results have the same bits for any number of
+/// The origin, the middle of the bounds of a mesh in its Frame, is the middle of a cell and of a
+/// sub-cell: a mirror image gets the mirrored grid. Results have the same bits for any number of
 /// threads.
 ///
 /// Cost: one pass over the triangles; then for G functions (about 10 area / h^2) their factor,
@@ -67,10 +69,10 @@ public:
   /// @param size  s, above 0; fraction of the diagonal, as the frame's is 1
   SurfaceGrid(const Points& P, const Triangles& F, double size, int threads);
 
-  /// A_s, and its factor. @param pairs  no more than three cells apart; those of the same two
-  /// different cells count as one at their mean places. Each adds s^2 weight
-  /// (phi(u) - phi(v)) (phi(u) - phi(v))^T [wall]; one with an end in a cell without samples does
-  /// not count
+  /// A_s, and its factor. The ridge is that of the sum without pairs. @param pairs  no more than
+  /// three cells apart; those of the same two different cells count as one at their mean places.
+  /// Each adds s^2 weight (phi(u) - phi(v)) (phi(u) - phi(v))^T [wall]; one with an end in a cell
+  /// without samples does not count
   /// @throw SolverError
   void Factor(const std::vector<GridPair>& pairs, int threads);
   /// The same for K + 1e-6 M, to integrate gradients.
