@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SphericalStyleMethod.h"
 
+#include "Stopwatch.h"
+
 #include <cmath>
 #include <utility>
 
@@ -129,12 +131,15 @@ void SphericalStyleMethod::SolveEnergy(
 {
   ClosedFormOptions inFrame = this->InFrame(o);
   StyleOptions rigid = o;
+  const Stopwatch watch;
   if (o.normalRadius == NormalRadius::OwnThickness)
   {
     rigid.normals = this->Closed.ThickNormals(inFrame, callback);
   }
+  const double baseSeconds = watch.Seconds();
   this->Energy.SetMesh(this->Mesh);
   report = this->Energy.Solve(rigid, callback);
+  report.seconds.base += baseSeconds;
   this->T = this->Energy.GetDirections();
   this->CellEnergies = this->Energy.GetCellEnergies();
   this->Positions = this->Energy.GetPositions();
