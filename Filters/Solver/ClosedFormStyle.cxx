@@ -207,7 +207,7 @@ void ClosedFormStyle::State::UpdateNormals(const ClosedFormOptions& o)
   means << vectors, vectors.rowwise().norm();
   means = this->Grid.GetWeights().cwiseInverse().asDiagonal() * means;
   const Fields smooth =
-    this->Grid.AtPoints(this->Grid.SmoothByTwicing(means, o.threads), *this->P, o.threads);
+    this->Grid.AtPoints(this->Grid.Smooth(means, o.threads), *this->P, o.threads);
   this->Normals = Points::Zero(smooth.rows(), 3);
   for (Eigen::Index i = 0; i < smooth.rows(); ++i)
   {

@@ -76,7 +76,7 @@ struct SolveAborted
 ///     B_i = P_i + e_i (smooth_s(smooth_s(P))_i - P_i).
 ///
 /// Normals of the base: with N the area vectors that the gradients of B make of N_k, and (v, u) =
-/// N / w_k and |N| / w_k smoothed (SurfaceGrid::SmoothByTwicing), n_i = v_i / max(|v_i|, u_i / 5):
+/// N / w_k and |N| / w_k smoothed once, n_i = v_i / max(|v_i|, u_i / 5):
 /// shorter than 1 where the two sides of a thin wall cancel. Triangles are turned to agree with
 /// their neighbors and to enclose a positive volume before.
 ///

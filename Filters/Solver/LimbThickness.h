@@ -15,8 +15,7 @@ constexpr double LimbSize = 0.075;
 /// Half of the thickness of the limb that each point belongs to [limb]. From each sample of a grid
 /// of LimbSize a ray goes inward through the base, against its normal n_k. rho_k is half of its
 /// length, no less than .002 and no more than the radius r or what 98 % of the samples have; its
-/// logarithm is smoothed with LimbSize. (Twicing would keep a ball next to a bar at its size, 1 %
-/// in place of 2 % off, and scallop the edges of a box.) One ray does what the median of several
+/// logarithm is smoothed with LimbSize. One ray does what the median of several
 /// around it does, with a third of the time, for the samples lie close.
 ///
 /// - The ray does not see outsides within half a cell: the surface it starts from.

@@ -1025,12 +1025,6 @@ Fields SurfaceGrid::SmoothTwice(const Fields& X, int threads) const
   return this->Smooth(this->AtSamples(this->Smooth(X, threads), threads), threads);
 }
 
-Fields SurfaceGrid::SmoothByTwicing(const Fields& X, int threads) const
-{
-  const Fields once = this->Smooth(X, threads);
-  return once + this->Smooth(X - this->AtSamples(once, threads), threads);
-}
-
 Fields SurfaceGrid::Solve(const Fields& X, const Fields& Y, int threads) const
 {
   const Eigen::Index columns = X.cols();

@@ -103,10 +103,6 @@ public:
   Fields Smooth(const Fields& X, int threads) const;
   /// The same of what one step has made of X: two implicit steps.
   Fields SmoothTwice(const Fields& X, int threads) const;
-  /// One step, and one more of what it has taken away, which is given back (twicing; Tukey,
-  /// Exploratory Data Analysis, 1977): smooth X + smooth(X - smooth X). What varies slowly hardly
-  /// changes: half the loss of one step at a wave length of 2 pi s, a tenth at three times that.
-  Fields SmoothByTwicing(const Fields& X, int threads) const;
   /// The same for any right-hand side sum_k (w_k phi X_k + grad phi . Y_k); Y may have no rows.
   /// @param Y  samples x 3 c, the vector of component j at 3 j
   Fields Solve(const Fields& X, const Fields& Y, int threads) const;

@@ -304,11 +304,6 @@ public:
 
   /// Two implicit steps.
   Matrix SmoothTwice(const Matrix& X) const { return this->Solve(this->AtSamples(this->Solve(X))); }
-  /// 1 - (1 - S)^2, S one step.
-  Matrix SmoothByTwicing(const Matrix& X) const
-  {
-    return 2.0 * this->Solve(X) - this->SmoothTwice(X);
-  }
 
 private:
   struct Value
@@ -777,8 +772,8 @@ public:
           (Cofactors(MatrixOf(base.gradients, k)) * sample.areaVector / sample.weight).transpose();
         lengths(k, 0) = normals.row(k).norm();
       }
-      base.normals = grid.AtPoints(grid.SmoothByTwicing(normals), this->P);
-      lengths = grid.AtPoints(grid.SmoothByTwicing(lengths), this->P);
+      base.normals = grid.AtPoints(grid.Solve(normals), this->P);
+      lengths = grid.AtPoints(grid.Solve(lengths), this->P);
       for (int i = 0; i < this->P.rows(); ++i)
       {
         base.normals.row(i) /= std::max(base.normals.row(i).norm(), 0.2 * lengths(i, 0));
