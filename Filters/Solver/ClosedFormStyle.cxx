@@ -51,9 +51,10 @@ public:
   double Size = -1.0;
   SurfaceGrid Grid;
   int Walls = 0;
-  Points Base;      // none with detail size 0
-  Fields Gradients; // of the base, at the samples
-  Points Normals;   // of the base, or given
+  Points Base;        // none with detail size 0
+  Fields Gradients;   // of the base, at the samples
+  Points AreaVectors; // of the base, at the samples
+  Points Normals;     // of the base, or given
   bool AreGivenNormals = false;
   Eigen::VectorXd Thickness;
   double ThicknessRadius = 0.0; // the radius that bounds it
@@ -157,6 +158,7 @@ void ClosedFormStyle::State::UpdateGrid(const ClosedFormOptions& o, ClosedFormRe
       this->Base = this->Grid.AtPoints(base, *this->P, o.threads);
       this->KeepWhatIsUnknown(o.threads);
       this->Gradients = this->Grid.Gradients(this->Base, o.threads);
+      this->AreaVectors = this->Grid.AreaVectorsUnder(this->Gradients, o.threads);
       this->Step();
     }
     this->Size = o.detailSize;
@@ -202,9 +204,8 @@ void ClosedFormStyle::State::UpdateNormals(const ClosedFormOptions& o)
     this->Normals = PointNormals(*this->P, this->Outward());
     return;
   }
-  const Points vectors = this->Grid.AreaVectorsUnder(this->Gradients, o.threads);
-  Fields means(vectors.rows(), 4);
-  means << vectors, vectors.rowwise().norm();
+  Fields means(this->AreaVectors.rows(), 4);
+  means << this->AreaVectors, this->AreaVectors.rowwise().norm();
   means = this->Grid.GetWeights().cwiseInverse().asDiagonal() * means;
   const Fields smooth =
     this->Grid.AtPoints(this->Grid.Smooth(means, o.threads), *this->P, o.threads);
@@ -423,7 +424,7 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
   }
   const int samples = this->Grid.GetNumberOfSamples();
   const Fields moved = this->Grid.Gradients(this->Moved, o.threads);
-  const Points before = this->Grid.AreaVectorsUnder(this->Gradients, o.threads);
+  const Points& before = this->AreaVectors;
   const Points after = this->Grid.AreaVectorsUnder(moved, o.threads);
   Fields S(samples, 9);
   ParallelFor(samples, o.threads,

@@ -25,6 +25,22 @@ constexpr double WallStiffness =
 constexpr double FewestAnswers = 0.01;
 constexpr double BlindSubCells = 0.5; // of the spacing: the sheet that a ray starts from
 
+/// f(k) for every sample: some rays are longer than others, so threads take few at a time.
+template <typename Function>
+void ForSamples(const SurfaceGrid& grid, int threads, const Function& f)
+{
+  constexpr int AtOnce = 256;
+  const int samples = grid.GetNumberOfSamples();
+  ParallelTasks((samples + AtOnce - 1) / AtOnce, threads,
+    [&](int task)
+    {
+      for (int k = AtOnce * task; k < std::min(samples, AtOnce * (task + 1)); ++k)
+      {
+        f(k);
+      }
+    });
+}
+
 /// Half of what is between the two sides of a sheet that lie in one sample.
 double HalfOfSheet(const SurfaceGrid& grid, int k)
 {
@@ -63,20 +79,17 @@ Eigen::VectorXd LimbThickness(
     return hit.GetTriangle() >= 0 ? std::max(Thinnest, 0.5 * hit.GetDistance()) : 0.0;
   };
   std::vector<double> found(samples);
-  ParallelTasks((samples + 255) / 256, threads,
-    [&](int task)
+  ForSamples(grid, threads,
+    [&](int k)
     {
-      for (int k = 256 * task; k < std::min(samples, 256 * (task + 1)); ++k)
-      {
-        const double rho = measure(k);
-        const double facing = grid.GetAreaVectors().row(k).norm() / grid.GetWeights()(k);
-        const double sheet =
-          facing < FacesOneWay ? std::max(Thinnest, HalfOfSheet(grid, k)) : Thinnest;
-        const double share = std::min(1.0, facing / FacesOneWay);
-        found[k] = share == 1.0 ? rho
-          : rho > 0.0           ? std::exp(share * std::log(rho) + (1.0 - share) * std::log(sheet))
-                                : sheet;
-      }
+      const double rho = measure(k);
+      const double facing = grid.GetAreaVectors().row(k).norm() / grid.GetWeights()(k);
+      const double sheet =
+        facing < FacesOneWay ? std::max(Thinnest, HalfOfSheet(grid, k)) : Thinnest;
+      const double share = std::min(1.0, facing / FacesOneWay);
+      found[k] = share == 1.0 ? rho
+        : rho > 0.0           ? std::exp(share * std::log(rho) + (1.0 - share) * std::log(sheet))
+                              : sheet;
     });
 
   std::vector<double> sorted;
@@ -114,39 +127,35 @@ std::vector<GridPair> FindWalls(
   const double thickest = 2.0 * size;
   const double thinnest = 0.1 * size;
   const TriangleTree tree(P, F);
-  const int samples = grid.GetNumberOfSamples();
-  std::vector<std::optional<GridPair>> found(samples);
-  ParallelTasks((samples + 255) / 256, threads,
-    [&](int task)
+  std::vector<std::optional<GridPair>> found(grid.GetNumberOfSamples());
+  ForSamples(grid, threads,
+    [&](int k)
     {
-      for (int k = 256 * task; k < std::min(samples, 256 * (task + 1)); ++k)
+      const Eigen::Vector3d N = grid.GetAreaVectors().row(k);
+      const Eigen::Vector3d direction = -N.stableNormalized();
+      if (!(N.norm() > FacesOneWay * grid.GetWeights()(k)))
       {
-        const Eigen::Vector3d N = grid.GetAreaVectors().row(k);
-        const Eigen::Vector3d direction = -N.stableNormalized();
-        if (!(N.norm() > FacesOneWay * grid.GetWeights()(k)))
-        {
-          continue; // both sides are in the sample: they are together already
-        }
-        const Eigen::Vector3d origin = grid.GetPlaces().row(k);
-        FirstHit hit(P, F, origin, direction, thickest);
-        hit.SkipOutsides(BlindSubCells * grid.GetSpacing());
-        hit.Search(tree);
-        if (hit.GetTriangle() < 0)
-        {
-          continue;
-        }
-        const auto corners = F.row(hit.GetTriangle());
-        const Eigen::Matrix3d x = P(corners, Eigen::all).transpose();
-        const Eigen::Vector3d face =
-          (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0)).stableNormalized();
-        const double outward = face.dot(direction); // cos theta
-        if (outward > 0.0)
-        {
-          const double d = std::max(hit.GetDistance(), thinnest);
-          found[k] = GridPair{ origin, x * hit.GetPlace(),
-            WallStiffness * grid.GetWeights()(k) * outward * outward *
-              (1.0 / (d * d) - 1.0 / (thickest * thickest)) };
-        }
+        return; // both sides are in the sample: they are together already
+      }
+      const Eigen::Vector3d origin = grid.GetPlaces().row(k);
+      FirstHit hit(P, F, origin, direction, thickest);
+      hit.SkipOutsides(BlindSubCells * grid.GetSpacing());
+      hit.Search(tree);
+      if (hit.GetTriangle() < 0)
+      {
+        return;
+      }
+      const auto corners = F.row(hit.GetTriangle());
+      const Eigen::Matrix3d x = P(corners, Eigen::all).transpose();
+      const Eigen::Vector3d face =
+        (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0)).stableNormalized();
+      const double outward = face.dot(direction); // cos theta
+      if (outward > 0.0)
+      {
+        const double d = std::max(hit.GetDistance(), thinnest);
+        found[k] = GridPair{ origin, x * hit.GetPlace(),
+          WallStiffness * grid.GetWeights()(k) * outward * outward *
+            (1.0 / (d * d) - 1.0 / (thickest * thickest)) };
       }
     });
   std::vector<GridPair> walls;

@@ -68,6 +68,15 @@ ClosedFormOptions SphericalStyleMethod::InFrame(const MethodOptions& o) const
   return framed;
 }
 
+/// Exactly where they are to be.
+void SphericalStyleMethod::HoldFixedPoints(const MethodOptions& o)
+{
+  if (!o.fixedPoints.empty())
+  {
+    this->Positions(o.fixedPoints, Eigen::all) = o.fixedPositions;
+  }
+}
+
 /// Results of the closed form into model units.
 void SphericalStyleMethod::Take(
   const MethodOptions& o, const ClosedFormReport& closed, StyleReport& report)
@@ -75,10 +84,7 @@ void SphericalStyleMethod::Take(
   const Frame& frame = this->MeshFrame;
   this->Positions = frame.OutOf(this->Closed.GetPositions());
   this->R = this->Closed.GetRotations();
-  if (!o.fixedPoints.empty())
-  {
-    this->Positions(o.fixedPoints, Eigen::all) = o.fixedPositions; // exactly
-  }
+  this->HoldFixedPoints(o);
   report.gridFunctions = closed.functions;
   report.gridSpacing = closed.spacing;
   report.coarserGrid = closed.coarser;
@@ -110,16 +116,14 @@ void SphericalStyleMethod::SolveClosedForm(
   if (nothing) // to the bit
   {
     this->Positions = this->Mesh.P;
-    if (!o.fixedPoints.empty())
-    {
-      this->Positions(o.fixedPoints, Eigen::all) = o.fixedPositions;
-    }
+    this->HoldFixedPoints(o);
   }
 }
 
 void SphericalStyleMethod::StayAtRest(const MethodOptions& o)
 {
   this->Positions = this->Mesh.P;
+  this->HoldFixedPoints(o);
   this->T = Points::Zero(this->P.rows(), 3);
   this->R.assign(o.keepRotations ? this->P.rows() : 0, Eigen::Matrix3d::Identity());
   this->CellEnergies.resize(0);

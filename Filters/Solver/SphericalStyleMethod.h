@@ -56,6 +56,7 @@ private:
   ClosedFormOptions InFrame(const MethodOptions& options) const;
   void SolveClosedForm(const MethodOptions& options, const Callback& callback, StyleReport& report);
   void SolveEnergy(const MethodOptions& options, const Callback& callback, StyleReport& report);
+  void HoldFixedPoints(const MethodOptions& options);
   void StayAtRest(const MethodOptions& options);
   void Take(const MethodOptions& options, const ClosedFormReport& closed, StyleReport& report);
 
