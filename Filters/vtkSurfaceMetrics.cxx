@@ -6,9 +6,11 @@
 #include "vtkSurfacePair.h"
 
 #include "DeformationMeasures.h"
+#include "EdgeWeights.h"
 #include "MatrixCondition.h"
 #include "MeshQuality.h"
 #include "SurfaceMeasures.h"
+#include "TargetDirections.h"
 #include "Thickness.h"
 #ifdef SPHERICALSTYLE_WITH_CGAL
 #include "SelfIntersections.h"

@@ -5,7 +5,7 @@
 #ifndef SphericalStyle_Frame_h
 #define SphericalStyle_Frame_h
 
-#include "LocalGlobal.h"
+#include "TriangleMesh.h"
 
 #include <cmath>
 
@@ -25,20 +25,6 @@ struct Frame
   Energy EnergyOutOf(const Energy& energy) const
   {
     return this->scale * (this->scale * energy);
-  }
-
-  /// The same for the energies of a report.
-  void OutOf(LoopReport& report) const
-  {
-    report.restEnergy = this->EnergyOutOf(report.restEnergy);
-    report.negligible = this->EnergyOutOf(report.negligible);
-    for (HistoryRow& row : report.history)
-    {
-      row.energy.rigid = this->EnergyOutOf(row.energy.rigid);
-      row.energy.spherical = this->EnergyOutOf(row.energy.spherical);
-      row.localChange = this->EnergyOutOf(row.localChange);
-      row.globalChange = this->EnergyOutOf(row.globalChange);
-    }
   }
 };
 

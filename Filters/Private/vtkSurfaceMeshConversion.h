@@ -5,7 +5,7 @@
 #ifndef vtkSurfaceMeshConversion_h
 #define vtkSurfaceMeshConversion_h
 
-#include "StyleSolver.h" // for the types of the solver
+#include "TriangleMesh.h"
 #include "vtkType.h"     // for vtkIdType
 
 #include <array>

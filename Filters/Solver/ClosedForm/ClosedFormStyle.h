@@ -6,7 +6,7 @@
 #ifndef SphericalStyle_ClosedFormStyle_h
 #define SphericalStyle_ClosedFormStyle_h
 
-#include "LocalGlobal.h"
+#include "Callback.h"
 #include "ModelSize.h"
 #include "TargetDirections.h"
 
@@ -51,11 +51,6 @@ struct ClosedFormReport
   double scale = 1.0;              ///< by which the result was scaled [size]
   double baseSeconds = 0.0;        ///< grid, base, normals, thickness, where they were made anew
   double carrySeconds = 0.0;
-};
-
-/// Thrown where the callback says that the solve is to end.
-struct SolveAborted
-{
 };
 
 /// Nothing iterates, and nothing is factored that is as large as the mesh.

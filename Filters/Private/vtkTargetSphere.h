@@ -6,7 +6,7 @@
 #ifndef vtkTargetSphere_h
 #define vtkTargetSphere_h
 
-#include "StyleSolver.h" // for the types of the solver
+#include "TargetDirections.h" // for Sphere
 
 #include <vector>
 

@@ -5,10 +5,18 @@
 #ifndef SphericalStyle_StyleSteps_h
 #define SphericalStyle_StyleSteps_h
 
-#include "StyleSolver.h"
+#include "GlobalStep.h"
+#include "LocalGlobal.h"
+#include "LocalTerm.h"
 
 namespace SphericalStyle
 {
+enum class Anchor
+{
+  Centroid, ///< the mean of each component stays, points weighted by their rest areas
+  LastPoint ///< the last point of each component stays (thesis)
+};
+
 /// Keeps references to all that it is made from.
 class StyleSteps : public TwoStepEnergy
 {

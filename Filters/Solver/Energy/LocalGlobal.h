@@ -5,9 +5,9 @@
 #ifndef SphericalStyle_LocalGlobal_h
 #define SphericalStyle_LocalGlobal_h
 
+#include "Callback.h"
+#include "Frame.h"
 #include "StyleEnergy.h"
-
-#include <functional>
 
 namespace SphericalStyle
 {
@@ -59,9 +59,8 @@ struct Rises
 
 Rises CountRises(const LoopReport& report);
 
-/// Called once per iteration with its number and the change of the energy relative to E_0; false
-/// ends the loop.
-using Callback = std::function<bool(int iteration, double change)>;
+/// The same report with its energies taken out of the frame.
+LoopReport OutOfFrame(const Frame& frame, LoopReport report);
 
 /// An energy E(Q, R) with two exact steps. R (and whatever else the local step finds) is held here.
 class TwoStepEnergy

@@ -5,21 +5,13 @@
 #ifndef SphericalStyle_StyleSolver_h
 #define SphericalStyle_StyleSolver_h
 
-#include "GlobalStep.h"
-#include "LocalGlobal.h"
-#include "LocalTerm.h"
+#include "StyleSteps.h"
 #include "TargetDirections.h"
 
 #include <memory>
 
 namespace SphericalStyle
 {
-enum class Anchor
-{
-  Centroid, ///< the mean of each component stays, points weighted by their rest areas
-  LastPoint ///< the last point of each component stays (thesis)
-};
-
 /// What holds the parts of a model together.
 enum class ComponentCoupling
 {

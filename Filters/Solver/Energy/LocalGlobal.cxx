@@ -87,6 +87,20 @@ double EstimateRest(const std::vector<double>& energies, std::size_t size)
 }
 }
 
+LoopReport OutOfFrame(const Frame& frame, LoopReport report)
+{
+  report.restEnergy = frame.EnergyOutOf(report.restEnergy);
+  report.negligible = frame.EnergyOutOf(report.negligible);
+  for (HistoryRow& row : report.history)
+  {
+    row.energy.rigid = frame.EnergyOutOf(row.energy.rigid);
+    row.energy.spherical = frame.EnergyOutOf(row.energy.spherical);
+    row.localChange = frame.EnergyOutOf(row.localChange);
+    row.globalChange = frame.EnergyOutOf(row.globalChange);
+  }
+  return report;
+}
+
 Rises CountRises(const LoopReport& report)
 {
   Rises rises;

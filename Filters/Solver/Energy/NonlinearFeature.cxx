@@ -405,7 +405,7 @@ void NonlinearFeature::State::ToModelUnits(StyleReport& report)
   {
     throw SolverError("the result is not finite");
   }
-  this->SolveFrame.OutOf(report.loop);
+  report.loop = OutOfFrame(this->SolveFrame, std::move(report.loop));
 }
 
 StyleReport NonlinearFeature::Solve(const NonlinearOptions& options, const Callback& callback)

@@ -5,7 +5,6 @@
 #include "CenterShares.h"
 #include "SolverMesh.h"
 #include "Stopwatch.h"
-#include "StyleSteps.h"
 #include "SurfaceMeasures.h"
 
 #include <algorithm>
@@ -431,7 +430,7 @@ void StyleSolver::State::ToModelUnits(const StyleOptions& options, StyleReport& 
     sphere.radius *= frame.scale;
   }
   report.sphere = report.spheres.front();
-  frame.OutOf(report.loop);
+  report.loop = OutOfFrame(frame, std::move(report.loop));
 }
 
 /// The blend is not only the start but the minimum, as long as the weights are positive
