@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Where the time of the filters goes.
 
-usage: measure_stages.py [--runs N] [--detail-size S] [--uniform] [--proxy] [MESH.ply or MESH.vtp ...]
+usage: measure_stages.py [--runs N] [--detail-size S] [--uniform] [--nonlinear] [--proxy [--mesher NAME]]
+                         [MESH.ply or MESH.vtp ...]
 
 vtkSphericalStyleFilter: first result, moved center, another Roundness, then the stages of the first. With --proxy
 vtkConvexProxyDeformFilter: first result, another t, then its stages. Medians of N runs in milliseconds, default
-settings but the detail size and, with --uniform, weights that iterate; without a mesh the models of Data/. Run with
+settings but the detail size and, with --uniform, weights that iterate; without a mesh the models of Data/. With
+--nonlinear an iteration of the energy with the linear feature, and with the nonlinear one, corrected and as written,
+with the factorization where each iteration needs its own. Run with
 PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3.
 """
 import argparse
@@ -21,6 +24,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import sphericalstyle
 
+MESHERS = ("IsotropicRemeshing", "BallPivoting", "AdvancingFront", "SubdividedHull")
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data")
 
 
@@ -64,9 +68,37 @@ def one_run(surface, arguments):
     return {"first": first, "center": moved, "Roundness": milliseconds(f), **parts}
 
 
-def one_proxy_run(surface, _):
+def one_iteration(surface, feature, constraint):
+    """Milliseconds, the mean of five; the linear feature factors once, before the first."""
+    f = sphericalstyle.vtkSphericalStyleFilter()
+    f.SetInputData(surface)
+    f.SetFeature(feature)
+    f.SetCenterConstraint(constraint)
+    f.SetNormalBlend(0.0)
+    f.SetDetailSize(0.0)
+    f.SetKeepSizeToOff()
+    f.SetRefineLongEdgesToOff()
+    f.AccelerationOff()
+    f.SetStopRuleToFixedIterations()
+    f.SetMaximumNumberOfIterations(5)
+    milliseconds(f)
+    parts = stages(f.GetOutputDataObject(1))
+    return (parts["iterate"] + (parts["factor"] if f.GetFeature() == f.NONLINEAR else 0.0)) / 5
+
+
+def one_nonlinear_run(surface, _):
+    style = sphericalstyle.vtkSphericalStyleFilter
+    linear = one_iteration(surface, style.LINEAR, style.CORRECTED)
+    corrected = one_iteration(surface, style.NONLINEAR, style.CORRECTED)
+    written = one_iteration(surface, style.NONLINEAR, style.AS_WRITTEN)
+    return {"linear": linear, "corrected": corrected, "as written": written, "x corrected": corrected / linear,
+            "x as written": written / linear}
+
+
+def one_proxy_run(surface, arguments):
     f = sphericalstyle.vtkConvexProxyDeformFilter()  # of builds with CGAL
     f.SetInputData(surface)
+    f.SetProxyMesher(MESHERS.index(arguments.mesher))
     first = milliseconds(f)
     parts = {**stages(f.GetOutput(1)), "proxy points": f.GetEffectiveNumberOfProxyPoints()}
     f.SetBlend(0.3)
@@ -77,7 +109,9 @@ parser = argparse.ArgumentParser()
 parser.add_argument("--runs", type=int, default=5)
 parser.add_argument("--detail-size", type=float, help="of the filter, by default as there")
 parser.add_argument("--uniform", action="store_true", help="uniform weights")
+parser.add_argument("--nonlinear", action="store_true", help="an iteration of each form of the energy")
 parser.add_argument("--proxy", action="store_true")
+parser.add_argument("--mesher", choices=MESHERS, default=MESHERS[0], help="of the proxy")
 parser.add_argument("meshes", nargs="*")
 arguments = parser.parse_args()
 if arguments.runs < 1:
@@ -85,11 +119,11 @@ if arguments.runs < 1:
 heads = None
 for path in arguments.meshes or sorted(glob.glob(os.path.join(DATA, "*.vtp"))):
     surface = read(path)
-    measure = one_proxy_run if arguments.proxy else one_run
+    measure = one_proxy_run if arguments.proxy else one_nonlinear_run if arguments.nonlinear else one_run
     runs = [measure(surface, arguments) for _ in range(arguments.runs)]
     if heads is None:
         heads = list(runs[0])
-        print(f"{'mesh':20s} {'points':>8s} " + " ".join(f"{h:>12s}" for h in heads))
+        print(f"{'mesh':20s} {'points':>8s} " + " ".join(f"{h:>13s}" for h in heads))
     medians = [statistics.median(run[head] for run in runs) for head in heads]
     name = os.path.splitext(os.path.basename(path))[0]
-    print(f"{name:20s} {surface.GetNumberOfPoints():8d} " + " ".join(f"{m:12.1f}" for m in medians))
+    print(f"{name:20s} {surface.GetNumberOfPoints():8d} " + " ".join(f"{m:13.1f}" for m in medians))

@@ -125,6 +125,28 @@ class Goals(unittest.TestCase):
         self.assertIn("| slivers | 1.2 of 1.05: missed |", rows[3])
 
 
+class Stages(unittest.TestCase):
+    """Every way to measure gives a number for each of its columns. No time is judged."""
+
+    def columns(self, *arguments):
+        done = subprocess.run([sys.executable, os.path.join(support.HERE, "measure_stages.py"), "--runs", "1", *arguments,
+                               os.path.join(support.HERE, "..", "Data", "go-stone.vtp")], check=False, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        heads, numbers = done.stdout.splitlines()
+        self.assertEqual(len(numbers), len(heads), done.stdout)
+        columns = [slice(at, at + 13) for at in range(30, len(heads), 14)]
+        self.assertTrue(all(float(numbers[column]) >= 0.0 for column in columns), done.stdout)
+        return [heads[column].strip() for column in columns]
+
+    def test_both_ways_to_weigh(self):
+        for arguments in ((), ("--uniform",)):
+            self.assertEqual(self.columns(*arguments)[:3], ["first", "center", "Roundness"])
+
+    def test_features(self):
+        self.assertEqual(self.columns("--nonlinear")[:3], ["linear", "corrected", "as written"])
+
+
 class Faults(unittest.TestCase):
     """What cannot be measured is said in a sentence."""
 

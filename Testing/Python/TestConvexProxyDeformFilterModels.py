@@ -4,10 +4,8 @@
 
 usage: TestConvexProxyDeformFilterModels.py [--models DIR] [section ...]
 
-Sections: meshers car cases region house time. The rest is as ModelTesting.py says.
+Sections: meshers car cases region house. The rest is as ModelTesting.py says.
 """
-import time
-
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -66,11 +64,6 @@ def triangles(surface):
     return vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 
 
-def seconds(f):
-    stages = f.GetOutputDataObject(1).GetFieldData().GetArray("StageSeconds")
-    return {stages.GetComponentName(k): stages.GetComponent(0, k) for k in range(4)}
-
-
 def rest(proxy):
     """The proxy before it was rounded."""
     surface = vtkPolyData()
@@ -115,7 +108,7 @@ def hausdorff(a, b):
 # -- proxy meshers --------------------------------------------------------------------------------
 def meshers():
     print(f"  {'model':12s} {'mesher':20s} {'made by':20s} {'asked':>6s} {'got':>6s} open  chi  "
-          "deviation  >25 deg  least angle  seconds")
+          "deviation  >25 deg  least angle")
     for name in ("car", "boot", "armadillo", "koala", "our-bottle", "plate", "needle"):
         surface = read(name)
         thin = name in ("plate", "needle")
@@ -131,8 +124,7 @@ def meshers():
             euler = len(x) - len(F) // 2
             open_count = open_edges(proxy)
             print(f"  {name:12s} {mesher:20s} {MESHERS[made]:20s} {5000:6d} {len(x):6d} {open_count:4d} "
-                  f"{euler:4d}  {deviation:9.5f}  {100 * good:6.2f}%  {corners.min():11.3f}  "
-                  f"{seconds(f)['Proxy']:.3f}")
+                  f"{euler:4d}  {deviation:9.5f}  {100 * good:6.2f}%  {corners.min():11.3f}")
             check(open_count == 0 and euler == 2, f"{name}, {mesher}: closed and manifold")
             check(deviation < 0.015, f"{name}, {mesher}: within 1.5 % of the hull")
             if number == 0:
@@ -305,28 +297,4 @@ def house():
               f"outer sphere {change(sphere):.2f} degrees; spread {spread(proxied, F):.4f}, {spread(sphere, F):.4f}")
 
 
-# -- waiting --------------------------------------------------------------------------------------
-def timing():
-    surface = read("koala")
-    first, slid, stages = [], [], []
-    for _ in range(5):
-        f = vtkConvexProxyDeformFilter()
-        f.SetInputData(surface)
-        begin = time.perf_counter()
-        f.Update()
-        first.append(time.perf_counter() - begin)
-        stages.append(seconds(f))
-        f.SetBlend(0.3)
-        begin = time.perf_counter()
-        f.Update()
-        slid.append(time.perf_counter() - begin)
-        kept = seconds(f)
-        check(kept["Proxy"] == kept["Round"] == kept["Project"] == 0.0, "a new t only blends again")
-    print(f"  koala, {surface.GetNumberOfPoints()} points, {f.GetEffectiveNumberOfProxyPoints()} proxy points: "
-          f"first result {np.median(first):.3f} s, new t {np.median(slid):.3f} s (medians of 5)")
-    print("  stages of the first, medians, s: " +
-          ", ".join(f"{name} {np.median([s[name] for s in stages]):.3f}" for name in stages[0]))
-    check(np.median(first) < 2.5, "below 2.5 s")
-
-
-main({"meshers": meshers, "car": car, "cases": cases, "region": region, "house": house, "time": timing})
+main({"meshers": meshers, "car": car, "cases": cases, "region": region, "house": house})

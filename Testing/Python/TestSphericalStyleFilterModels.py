@@ -4,11 +4,8 @@
 
 usage: TestSphericalStyleFilterModels.py [--models DIR] [section ...]
 
-Sections: energy nonlinear nonlinear-time thesis converged sphere blend parts time foldguard. The rest is as
-ModelTesting.py says.
+Sections: energy nonlinear thesis converged sphere blend parts foldguard. The rest is as ModelTesting.py says.
 """
-import time
-
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -104,27 +101,6 @@ def nonlinear():
         totals = int((np.diff(column(f, "Total")) > 1e-12 * rest_energy(f)).sum())
         print(f"  {name:12s} lambda 0.1  as written: {steps} global steps and {totals} totals of 30 rise")
         check((steps > 0) == (totals > 0) == (name == "our-stone-house"), f"{name}: as written")
-
-
-def seconds_per_iteration(surface, **properties):
-    """The linear feature factors once, before the iterations; the nonlinear one in each of them."""
-    f = fixed(surface, 5, **properties)
-    stages = f.GetOutputDataObject(1).GetFieldData().GetAbstractArray("StageSeconds")
-    factor = stages.GetComponent(0, 3) if f.GetFeature() == 1 else 0.0
-    return (factor + stages.GetComponent(0, 4)) / 5
-
-
-def nonlinear_time():
-    for name in ("spot", "bunny"):
-        surface = read(name)
-        linear, corrected, written = (
-            np.median([seconds_per_iteration(surface, **properties) for _ in range(3)])
-            for properties in ({}, {"Feature": 1}, {"Feature": 1, "CenterConstraint": 1}))
-        print(f"  {name:12s} {surface.GetNumberOfPoints()} points, ms per iteration: linear {1e3 * linear:.1f}, corrected "
-              f"{1e3 * corrected:.1f} ({corrected / linear:.1f} times), as written {1e3 * written:.1f} "
-              f"({written / linear:.1f} times)")
-        check(linear < corrected < written, "each form costs more than the one before")
-        check(written > 10 * linear, "the linear feature is 10 times faster than LU in every iteration")
 
 
 # -- the thesis' own rule -------------------------------------------------------------------------
@@ -253,39 +229,6 @@ def parts():
             check(closed < 0.004, "in closed form the eyes stay in the head")
 
 
-# -- waiting --------------------------------------------------------------------------------------
-def timing():
-    wait({}, "by default")
-    wait(dict(ENERGY), "the energy")
-
-
-def wait(properties, title):
-    surface = read("bunny")
-    first, moved = [], []
-    for _ in range(5):
-        f = vtkSphericalStyleFilter()
-        f.SetInputData(surface)
-        for name, value in properties.items():
-            getattr(f, "Set" + name)(value)
-        begin = time.perf_counter()
-        f.Update()
-        first.append(time.perf_counter() - begin)
-        field = f.GetOutputDataObject(1).GetFieldData()
-        stages = field.GetAbstractArray("StageSeconds")
-        names = [f"{stages.GetComponentName(k)} {stages.GetComponent(0, k) * 1e3:.0f}" for k in range(5)]
-        centre = np.array(f.GetEffectiveCenter()) + 0.1 * f.GetEffectiveRadius()
-        f.SetCenterMode(2)
-        f.SetCenter(*centre)
-        begin = time.perf_counter()
-        f.Update()
-        moved.append(time.perf_counter() - begin)
-        again = field.GetAbstractArray("StageSeconds")
-        check(again.GetComponent(0, 3) == 0.0, "a moved centre does not factor")
-    print(f"  bunny, {title}: first result {np.median(first):.3f} s, moved centre {np.median(moved):.3f} s (medians of 5)")
-    print(f"  stages of the first, ms: {', '.join(names)}; solver: {field.GetAbstractArray('LinearSolver').GetValue(0)}")
-    check(np.median(first) < 1.5 and np.median(moved) < 0.5, "first result below 1.5 s, moved centre below .5 s")
-
-
 # -- no folds -------------------------------------------------------------------------------------
 def measures(surface, reference):
     """The numbers of vtkSurfaceMetrics."""
@@ -330,8 +273,7 @@ def foldguard():
               f"{before['NewSelfIntersectionPairs']} -> {after['NewSelfIntersectionPairs']}; of lambda remain "
               f"{100 * mean:.2g} % in the mean, {100 * shares.min():.2g} % at least; sphericity at rest "
               f"{rest['Sphericity']:.3f}, unguarded {before['Sphericity']:.3f}, guarded {after['Sphericity']:.3f}; "
-              f"{field.GetAbstractArray('GuardSolves').GetValue(0)} solves, "
-              f"{field.GetAbstractArray('GuardSeconds').GetValue(0):.1f} s")
+              f"{field.GetAbstractArray('GuardSolves').GetValue(0)} solves")
         folds = before["TurnedOver"] + before["NewSelfIntersectionPairs"] > 0
         check(folds or name == "stretched tetrahedron", f"{name}: unguarded it folds")
         check(after["TurnedOver"] == 0, f"{name}: no triangle turned over")
@@ -352,6 +294,5 @@ def foldguard():
         check(mean > high, f"{name}: more remains than of one lambda for all")
 
 
-main({"energy": energy, "nonlinear": nonlinear, "nonlinear-time": nonlinear_time, "thesis": thesis,
-      "converged": converged, "sphere": sphere, "blend": blend, "parts": parts, "time": timing,
-      "foldguard": foldguard})
+main({"energy": energy, "nonlinear": nonlinear, "thesis": thesis, "converged": converged, "sphere": sphere,
+      "blend": blend, "parts": parts, "foldguard": foldguard})

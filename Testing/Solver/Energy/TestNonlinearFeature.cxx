@@ -426,6 +426,9 @@ void TestAsWritten()
         CHECK(rises.globalSteps + rises.iterations == 0, named.name << " should not rise");
       }
       CHECK(std::isnan(report.loop.history.back().gap), "no gap is known as written");
+      CHECK(feature.GetNumberOfAnalyses() == 30 && feature.GetNumberOfFactorizations() == 30,
+        named.name << ": as written each of 30 iterations should factor anew, not "
+                   << feature.GetNumberOfFactorizations());
     }
   }
   // No gap rule as written: Converged means Eq. 3.46.
