@@ -22,7 +22,7 @@ def run(models, rounded, *symmetric):
     """Exit code and what was printed."""
     done = subprocess.run([sys.executable, RUN_PARALLEL, str(PROCESSES), pvbatch, *symmetric,
                            examples / "round_folder.py", models, rounded, "--roundness", "2"],
-                          check=False, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120)
+                          check=False, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=1200)
     if done.returncode == 77:
         print(done.stdout)
         sys.exit(77)

@@ -19,7 +19,7 @@ work.mkdir()
 
 def run(*arguments):
     """Exit code and what was printed. A pipe that is opened keeps the script waiting: the test then fails."""
-    done = subprocess.run([python, examples / "round_folder.py", *arguments], cwd=work, check=False, timeout=120,
+    done = subprocess.run([python, examples / "round_folder.py", *arguments], cwd=work, check=False, timeout=1200,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     return done.returncode, done.stdout.decode("utf-8")
 

@@ -201,7 +201,7 @@ void WorksAfterFork()
   const pid_t child = fork();
   if (child == 0)
   {
-    alarm(20); // ends it if it hangs
+    alarm(600); // ends it if it hangs; it takes milliseconds
     std::exit(NestedSum(n, 4) == expected ? 0 : 1);
   }
   int status = -1;
