@@ -6,7 +6,9 @@
 
 Prints updates per second; fails if the model does not follow while the button is down, if its center is not where the
 handle was let go at the end, if there are not as many messages as expected, or if one undo does not take back the
-whole drag. Needs xdotool, which sends the events; leaves with 77 without it.
+whole drag. No time decides: each step waits for the event in the window that it needs, as drag_window.py logs it, and
+what came before what is read from the order in the log. Needs xdotool, which sends the events; leaves with 77 without
+it.
 """
 import argparse
 import json
@@ -24,16 +26,18 @@ from PIL import Image, ImageGrab
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FRAME = (0, 0, 255)  # around the active view; found on the screen, since no event says where a widget is
+HANGS = 900  # seconds that no wait takes unless its event never comes; each takes a few, the start of the window ten
 
 
-def wait_for(what, condition, seconds=90):
-    end = time.monotonic() + seconds
+def wait_for(what, condition):
+    """The first value of the condition that is not None."""
+    end = time.monotonic() + HANGS
     while time.monotonic() < end:
         value = condition()
         if value is not None:
             return value
-        time.sleep(0.1)
-    raise SystemExit(f"drag: waited {seconds} s for {what}")
+        time.sleep(0.05)
+    raise SystemExit(f"drag: {what} did not come in {HANGS} s")
 
 
 def read(path):
@@ -44,9 +48,24 @@ def read(path):
         return [json.loads(line) for line in file if line.endswith("\n")]
 
 
-def updates(log, begin=0.0, end=numpy.inf):
-    """The lines of executions; the first line is that of the handle."""
-    return [line for line in read(log) if "center" in line and begin <= line["time"] <= end]
+def first(log, key, value=None):
+    """The first line with the key, and with the value if there is one."""
+    return next((line for line in read(log) if key in line and value in (None, line[key])), None)
+
+
+def last(log, key):
+    return next((line for line in reversed(read(log)) if key in line), None)
+
+
+def between(log, begin, end):
+    """The lines after one of them, and before another one."""
+    lines = read(log)
+    return lines[lines.index(begin) + 1:lines.index(end)]
+
+
+def centers(lines):
+    """Those of executions."""
+    return [line["center"] for line in lines if "center" in line]
 
 
 def view_corner():
@@ -65,21 +84,51 @@ def path(steps):
 PATH = path(240)
 
 
-def drag(points, seconds, take_pictures):
-    """Button down at the first point, up at the last. @return times of both, pictures of the screen on the way"""
-    pause = ["sleep", f"{seconds / len(points):.4f}"]
-    moves = [word for x, y in points[1:] for word in ["mousemove", str(x), str(y)] + pause]
-    subprocess.run(["xdotool", "mousemove", *map(str, points[0]), "sleep", "0.5", "mousedown", "1"], check=True)
-    begin = time.time()
+def move_mouse(x, y):
+    subprocess.run(["xdotool", "mousemove", str(x), str(y)], check=True)
+
+
+def mouse_on_handle(log):
+    """Moves the mouse to the handle, wherever in the window the view is by now.
+    @return pixel of the screen, the line of the movement; None if the mouse did not get there: try again"""
+    known = last(log, "handle") or first(log, "ready")["ready"]
+    x, y = (round(a + b) for a, b in zip(wait_for("the view", view_corner), known["handle"]))
+    move_mouse(x - 40, y)
+    move_mouse(x, y)
+    for _ in range(40):
+        line = last(log, "off")
+        if line and numpy.abs(line["off"]).max() <= 2:
+            return (x, y), line
+        time.sleep(0.05)
+    return None
+
+
+def drag(log, points, options):
+    """Button down at the first point, where the mouse is, up at the last one. @return pictures of the screen"""
+    subprocess.run(["xdotool", "mousedown", "1"], check=True)
+    down = wait_for("the button", lambda: first(log, "pressed"))
+
+    def followed(times):
+        lines = read(log)
+        return True if len(centers(lines[lines.index(down):])) >= times else None
+
+    done = 1
+    if not options.trace:  # with it there is one update, on release
+        for times in (1, 2):  # that is all there are if they take long: see pqUpdateWhileDragging
+            for point in points[done:done + 10]:
+                move_mouse(*point)
+            done += 10
+            wait_for(f"update {times} while dragging", lambda: followed(times))
+    pause = ["sleep", f"{options.seconds / len(points):.4f}"]
+    moves = [word for x, y in points[done:] for word in ["mousemove", str(x), str(y)] + pause]
     mouse = subprocess.Popen(["xdotool"] + moves)
     pictures = []
     while mouse.poll() is None:
-        if take_pictures:
+        if options.pictures or options.strip:
             pictures.append(ImageGrab.grab())
         time.sleep(0.25)
-    end = time.time()
     subprocess.run(["xdotool", "mouseup", "1"], check=True)
-    return begin, end, pictures
+    return pictures
 
 
 def save_pictures(pictures, folder):
@@ -110,7 +159,7 @@ def main():
     parser.add_argument("--messages", type=int, default=0, help="that are to come, however many updates there are")
     parser.add_argument("--trace", metavar="PVPYTHON", help="record a trace, and replay it with this program")
     parser.add_argument("--auto-apply", action="store_true", help="with ParaView's Auto Apply")
-    parser.add_argument("--seconds", type=float, default=4.0, help="that the drag takes")
+    parser.add_argument("--seconds", type=float, default=4.0, help="that the drag takes at least")
     parser.add_argument("--pictures", help="folder for pictures of the screen")
     parser.add_argument("--strip", help="file for five pictures of the model side by side")
     parser.add_argument("--paraview", default="paraview")
@@ -176,7 +225,7 @@ print("replayed", json.dumps(list(FindSource("SphericalStyle1").Center)))
 """
 
 
-def check_trace(options, trace, during, center):
+def check_trace(options, trace, updates, center):
     """One change, that of the release, and a script of it moves the center to the same place."""
     properties = dict(properties_of(options), CenterMode="Custom")
     with tempfile.NamedTemporaryFile("w", suffix=".py") as script:
@@ -187,49 +236,49 @@ def check_trace(options, trace, during, center):
             env=dict(os.environ, PV_PLUGIN_PATH=plugin_path(options)), capture_output=True, text=True).stdout
     replayed = [json.loads(line.split(" ", 1)[1]) for line in output.splitlines() if line.startswith("replayed ")]
     print(f"trace: {trace.count('.Center = ')} changes of Center, replayed {replayed}, dragged to {center}")
-    if during or trace.count(".Center = ") != 1 or not replayed or not numpy.allclose(replayed[0], center):
-        print(f"FAILED: {len(during)} updates before the release, trace:\n{trace}")
+    if updates != 1 or trace.count(".Center = ") != 1 or not replayed or not numpy.allclose(replayed[0], center):
+        print(f"FAILED: {updates} updates, and not 1; trace:\n{trace}")
         return 1
     print("passed")
     return 0
 
 
 def watch(options, log):
-    ready = wait_for("the rounded model", lambda: next((line for line in read(log) if "handle" in line), None))
-    corner = wait_for("the view", view_corner)
-    time.sleep(2)  # the first pictures of the window
-    x, y = (round(corner[i] + ready["handle"][i]) for i in (0, 1))
-    begin, end, pictures = drag([(x + right, y - up) for right, up in PATH], options.seconds,
-                                options.pictures or options.strip)
+    ready = wait_for("the rounded model", lambda: first(log, "ready"))["ready"]
+    (x, y), grabbed = wait_for("the mouse on the handle", lambda: mouse_on_handle(log))
+    begin = time.monotonic()
+    pictures = drag(log, [(x + right, y - up) for right, up in PATH], options)
+    took = time.monotonic() - begin
 
     def center_is(center):
-        return lambda: numpy.allclose(updates(log)[-1]["center"], center, atol=0.02 * ready["radius"]) or None
+        return lambda: numpy.allclose(last(log, "center")["center"], center, atol=0.02 * ready["radius"]) or None
 
-    wait_for("the model to be where the handle was let go", center_is(ready["released"]), 20)
-    time.sleep(1)  # it may have been there before the button was up
+    # In this order: button up, the last update, a set of changes to undo, messages. Undo comes after all of them.
+    dragged = wait_for("a change to undo", lambda: first(log, "undo", "Drag"))
+    wait_for("the model where the handle was let go", center_is(grabbed["released"]))
     if options.pictures:
         save_pictures(pictures + [ImageGrab.grab()], options.pictures)
     if options.strip:
         save_strip(pictures, (x, y), options.strip)
-    during = [line["time"] for line in updates(log, begin, end)]
-    gaps = numpy.diff([begin, *during, end])
-    print(f"{os.path.basename(options.model)}: {len(during)} updates in {end - begin:.1f} s, "
-          f"{len(during) / (end - begin):.1f} per second, longest pause {1000 * gaps.max():.0f} ms")
+    dragging = centers(between(log, grabbed, dragged))  # the last one is that of the release
+    print(f"{os.path.basename(options.model)}: {len(dragging)} updates in {took:.1f} s, "
+          f"{len(dragging) / took:.1f} per second")
 
-    undone = time.time()
     subprocess.run(["xdotool", "key", "ctrl+z"], check=True)
-    wait_for("undo of the whole drag", center_is(ready["center"]), 20)
-    messages = [line["message"] for line in read(log) if "message" in line and line["time"] < undone]
+    undoes = wait_for("undo", lambda: first(log, "undoes"))
+    wait_for("the model as before the drag", center_is(ready["center"]))
+    before = between(log, grabbed, undoes)
+    messages = [line["message"] for line in before if "message" in line]
     print(f"messages: {messages}")
     if len(messages) != options.messages:
         print(f"FAILED: {len(messages)} messages, and not {options.messages}")
         return 1
-    if options.trace:
-        trace = wait_for("the trace", lambda: next((line["trace"] for line in read(log) if "trace" in line), None))
-        return check_trace(options, trace, during, updates(log, end=undone)[-1]["center"])
-    if len(during) < 2:  # it would be one, after the button, without pqUpdateWhileDragging
-        print("FAILED: the model did not follow")
+    if len([line for line in before if line.get("undo") == "Drag"]) != 1 or dragged not in before:
+        print("FAILED: not one change to undo")
         return 1
+    if options.trace:
+        trace = wait_for("the trace", lambda: first(log, "trace"))["trace"]
+        return check_trace(options, trace, len(dragging), centers(before)[-1])
     print("passed")
     return 0
 

@@ -1,11 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs in ParaView's window, started by drag.py: rounds a model around a center of its own, and writes a line of
-JSON to a file for each execution, for each message and for where the handle is. Settings come in the environment
-variable DRAG."""
+JSON to a file for each event, in their order: an execution, a message, a movement of the mouse or its button down in
+the view, a change of what can be undone. Settings come in the environment variable DRAG."""
 import json
 import os
-import time
 
 import numpy
 from paraview import servermanager, simple
@@ -18,7 +17,7 @@ log = open(settings["log"], "w", buffering=1)
 
 
 def write(**facts):
-    log.write(json.dumps(dict(facts, time=time.time())) + "\n")
+    log.write(json.dumps(facts) + "\n")
 
 
 def values(name, size, unchecked=False):
@@ -101,6 +100,26 @@ def write_update(*_):
 style.SMProxy.AddObserver("UpdateDataEvent", write_update)
 if settings["trace"]:
     servermanager.vtkSMTrace.StartTrace()
+
+
+def write_mouse(interactor, event):
+    """Movements until the button is down, with what depends on the size of the window: that may still change. The
+    handle is in pixels right and down from the upper left corner."""
+    if event != "MouseMoveEvent":
+        interactor.RemoveObserver(movements)
+        write(pressed=True)
+        return
+    x, y, _ = to_screen(center)
+    mouse = interactor.GetEventPosition()
+    write(handle=[x, view.ViewSize[1] - y], off=[mouse[0] - x, mouse[1] - y], released=moved_by(*settings["released"]))
+
+
+interactor = view.GetInteractor()
+FIRST = 10.0  # before the widgets, which keep events for themselves
+movements = interactor.AddObserver("MouseMoveEvent", write_mouse, FIRST)
+interactor.AddObserver("LeftButtonPressEvent", write_mouse, FIRST)
+undo = servermanager.vtkSMProxyManager.GetProxyManager().GetUndoStackBuilder().GetUndoStack()
+undo.AddObserver("StartEvent", lambda *_: write(undoes="start"))
+undo.AddObserver("ModifiedEvent", lambda *_: write(undo=undo.GetUndoSetLabel(0) if undo.CanUndo() else ""))
 x, y, _ = to_screen(center)
-write(handle=[x, view.ViewSize[1] - y], center=center, radius=radius,
-      released=moved_by(*settings["released"]))
+write(ready=dict(handle=[x, view.ViewSize[1] - y], center=center, radius=radius))
