@@ -46,7 +46,6 @@ CellPulls::CellPulls(const CellPattern& pattern, const MeshTopology& topology,
 {
   const Triangles& F = topology.GetTriangles();
   const std::vector<int>& corners = topology.GetCorners();
-  const int* neighbors = pattern.GetNeighbors().data();
   const auto row = [](std::vector<double>& values, std::ptrdiff_t at)
   { return Eigen::Map<Eigen::RowVector3d>(values.data() + 3 * at); };
   ParallelFor(pattern.GetNumberOfPoints(), threads,
@@ -54,8 +53,6 @@ CellPulls::CellPulls(const CellPattern& pattern, const MeshTopology& topology,
     {
       for (int y = begin; y < end; ++y)
       {
-        const int* first = neighbors + pattern.GetOffset()[y];
-        const int* beyond = neighbors + pattern.GetOffset()[y + 1];
         for (int at = topology.GetCornerOffset()[y]; at < topology.GetCornerOffset()[y + 1]; ++at)
         {
           const int f = corners[at] / 3;
@@ -72,7 +69,7 @@ CellPulls::CellPulls(const CellPattern& pattern, const MeshTopology& topology,
               this->Own.row(y) += difference(k);
               continue;
             }
-            const std::ptrdiff_t entry = std::lower_bound(first, beyond, j) - neighbors;
+            const std::ptrdiff_t entry = pattern.Find(y, j);
             row(this->OfCell, entry) += difference(k);
             row(this->OfPoint, entry) += own;
           }

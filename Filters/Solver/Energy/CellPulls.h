@@ -7,7 +7,10 @@
 
 #include "MeshTopology.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace SphericalStyle
 {
@@ -22,6 +25,14 @@ public:
   /// Those of point i: GetNeighbors()[GetOffset()[i] .. [i + 1]).
   const std::vector<int>& GetOffset() const { return this->Offset; }
   const std::vector<int>& GetNeighbors() const { return this->Neighbors; }
+  /// Where j is in GetNeighbors(), as one of point i; by bisection, since all points may be
+  /// neighbors of one. @param less  compares point ids
+  template <typename Less = std::less<int>>
+  std::ptrdiff_t Find(int i, int j, Less less = {}) const
+  {
+    const auto begin = this->Neighbors.begin();
+    return std::lower_bound(begin + this->Offset[i], begin + this->Offset[i + 1], j, less) - begin;
+  }
 
 private:
   std::vector<int> Offset = { 0 };
