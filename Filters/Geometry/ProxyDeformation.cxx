@@ -156,6 +156,7 @@ void ProxyDeformation::State::MakeProxy(
   this->Last.convexProxy = options.convexProxy;
   this->Last.hullPoints = options.hullPoints;
   this->HasProxy = true;
+  this->Report.done.proxy = true;
   this->Report.seconds.proxy = watch.Seconds();
 }
 
@@ -188,6 +189,7 @@ void ProxyDeformation::State::Round(
     SurfaceRotations(this->Deformed.rest, this->Deformed.rounded, options.threads);
   this->Last.style = options.style;
   this->HasRounding = !this->Rounding.loop.aborted;
+  this->Report.done.round = true;
   this->Report.seconds.round = watch.Seconds();
 }
 
@@ -232,6 +234,7 @@ void ProxyDeformation::State::Project(
   this->Last.normals = std::move(normals);
   this->Last.directions = options.directions;
   this->HasFeet = true;
+  this->Report.done.project = true;
   this->Report.seconds.project = watch.Seconds();
 }
 

@@ -57,6 +57,13 @@ struct ProxyDeformationReport
   int firstWithoutHit = -1;                 ///< the first of them
   Eigen::Vector3i caseCounts = { 0, 0, 0 }; ///< points per ProjectionCase
   double projectionError = 0.0;             ///< largest |p q| - |p q_closest|, length
+  /// The stages that had to be done; the others were kept.
+  struct
+  {
+    bool proxy = false;
+    bool round = false;
+    bool project = false;
+  } done;
   /// Wall time of the stages, seconds; 0 for what was kept.
   struct
   {
