@@ -55,6 +55,7 @@ public:
 
   bool operator()(bool good, const std::string& shouldBe)
   {
+    ++this->Checks;
     if (!good)
     {
       std::cerr << this->Subject << ": " << shouldBe << "\n";
@@ -71,17 +72,23 @@ public:
         vtkVariant(value).ToString());
   }
 
+  /// The exit code of a test, which fails too if nothing was checked.
   int Result() const
   {
+    if (this->Checks == 0)
+    {
+      std::cerr << "nothing was checked\n";
+    }
     if (this->Failures > 0)
     {
       std::cerr << this->Failures << " checks failed\n";
     }
-    return this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return this->Checks > 0 && this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
   }
 
 private:
   std::string Subject;
+  int Checks = 0;
   int Failures = 0;
 };
 

@@ -386,7 +386,9 @@ void OtherFilters(Checker& check, vtkPolyData* input)
       { "narrower slivers", [](Diagnostics* f) { f->SetSliverAngle(1.0); } } });
 #ifdef SPHERICALSTYLE_WITH_CGAL
   using Proxy = vtkConvexProxyDeformFilter;
-  CheckChanges<Proxy>(check, "vtkConvexProxyDeformFilter", input,
+  const auto choose = [](int index, const char* name)
+  { return [=](Proxy* f) { f->SetInputArrayToProcess(index, 0, 0, OfPoints, name); }; };
+  CheckChanges<Proxy>(check, "vtkConvexProxyDeformFilter", WithArrays(input),
     [](Proxy* f)
     {
       f->SetNumberOfProxyPoints(200);
@@ -396,6 +398,42 @@ void OtherFilters(Checker& check, vtkPolyData* input)
       { "more points", [](Proxy* f) { f->SetNumberOfProxyPoints(300); } },
       { "another mesher", [](Proxy* f) { f->SetProxyMesher((f->GetProxyMesher() + 1) % 4); } },
       { "another projection", [](Proxy* f) { f->SetProjection(Proxy::SMALLEST_ANGLE); } },
+      { "given normals", choose(0, "leaning") }, { "other normals", choose(0, "targets") },
+      { "along directions",
+        [](Proxy* f)
+        {
+          f->SetInputArrayToProcess(1, 0, 0, OfPoints, "leaning");
+          f->SetProjection(Proxy::DIRECTION_ARRAY);
+        } },
+      { "other directions", choose(1, "targets") },
+      { "nearest points, of slivers",
+        [](Proxy* f)
+        {
+          f->SetProxyMesher(Proxy::SUBDIVIDED_HULL);
+          f->SetProjection(Proxy::NEAREST_VERTICES);
+          f->SetNumberOfNeighbors(1);
+        } },
+      { "more neighbors", [](Proxy* f) { f->SetNumberOfNeighbors(4); } },
+      { "closest points",
+        [](Proxy* f)
+        {
+          f->SetProxyMesher(Proxy::BALL_PIVOTING);
+          f->SetProjection(Proxy::CLOSEST_POINT);
+        } },
+      { "another center",
+        [](Proxy* f)
+        {
+          f->SetCenterMode(Proxy::CUSTOM_CENTER);
+          f->SetCenter(0.1, 0.2, 0.3);
+        } },
+      { "a third center", [](Proxy* f) { f->SetCenter(0.3, 0.0, -0.2); } },
+      { "another radius",
+        [](Proxy* f)
+        {
+          f->SetRadiusMode(Proxy::CUSTOM_RADIUS);
+          f->SetRadius(1.5);
+        } },
+      { "a third radius", [](Proxy* f) { f->SetRadius(0.7); } },
       { "offsets", [](Proxy* f) { f->SetTransfer(1 - f->GetTransfer()); } },
       { "the first mesher", [](Proxy* f) { f->SetProxyMesher((f->GetProxyMesher() + 3) % 4); } },
       { "less of it", [](Proxy* f) { f->SetBlend(0.8); } },

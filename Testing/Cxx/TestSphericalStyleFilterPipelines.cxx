@@ -233,6 +233,32 @@ void TimeSteps(Checker& check)
   filter->UpdateTimeStep(1.0);
   check(filter.Starts.size() == starts, "the same time again should not execute");
 }
+
+/// Time spent to order and to factor the matrix; exactly 0 where the factor was kept.
+double SecondsToFactor(vtkSphericalStyleFilter* filter)
+{
+  filter->Update();
+  vtkDataArray* stages = filter->GetOutputDataObject(1)->GetFieldData()->GetArray("StageSeconds");
+  return stages->GetComponent(0, 2) + stages->GetComponent(0, 3);
+}
+
+/// What is dragged in the window must not factor again.
+void FactorIsKept(Checker& check)
+{
+  check.About("the factor");
+  const Surface ellipsoid = vtkGrowingEllipsoid::Shape(0.0);
+  WatchedFilter filter(ellipsoid);
+  SetUpUniform(filter.Get());
+  check(SecondsToFactor(filter.Get()) > 0.0, "the first execution should factor");
+  filter->SetCenterModeToCustom();
+  filter->SetCenter(0.1, 0.2, 0.3);
+  check(SecondsToFactor(filter.Get()) == 0.0, "a moved center should not factor");
+  filter->SetRadiusModeToCustom();
+  filter->SetRadius(0.7);
+  check(SecondsToFactor(filter.Get()) == 0.0, "a new radius should not factor");
+  filter->SetRoundness(3.0);
+  check(SecondsToFactor(filter.Get()) > 0.0, "another roundness should factor");
+}
 }
 
 int TestSphericalStyleFilterPipelines(int argc, char* argv[])
@@ -241,6 +267,7 @@ int TestSphericalStyleFilterPipelines(int argc, char* argv[])
   ToCurvatures(check, argc, argv);
   IntersectionWithModel(check, argc, argv);
   Chain(check, argc, argv);
+  FactorIsKept(check);
   WithEach({ { "energy", SetUpUniform }, { "defaults", SetUpDefaults } },
     [&]
     {

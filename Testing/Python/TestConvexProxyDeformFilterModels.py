@@ -295,6 +295,8 @@ def house():
 
         print(f"  stone house, t {t}: rms change of dihedral angles: proxy {change(proxied):.2f}, "
               f"outer sphere {change(sphere):.2f} degrees; spread {spread(proxied, F):.4f}, {spread(sphere, F):.4f}")
+        check(change(proxied) < change(sphere), "the proxy keeps more of the dihedral angles than the outer sphere")
+        check(spread(proxied, F) < 0.8 * spread(x, F), "the proxy makes the house rounder")
 
 
 main({"meshers": meshers, "car": car, "cases": cases, "region": region, "house": house})
