@@ -41,6 +41,7 @@ public:
   bool IsDefinite() const { return this->System.IsDefinite(); }
   std::string GetSolverName() const { return this->System.GetName(); }
   int GetNumberOfLinearSteps() const { return this->System.GetNumberOfSteps(); }
+  int GetNumberOfUnfinishedSolves() const { return this->System.GetNumberOfUnfinishedSolves(); }
 
 private:
   void BuildMatrix();

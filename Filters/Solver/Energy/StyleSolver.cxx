@@ -398,6 +398,7 @@ void StyleSolver::State::FactorGlobal(const EdgeWeights& w, int threads, StyleRe
   report.seconds.analyze = this->Global.GetAnalyzeSeconds();
   report.seconds.factor = this->Global.GetFactorSeconds();
   report.linearSolver = this->Global.GetSolverName();
+  report.unfinishedSolves = this->Global.GetNumberOfUnfinishedSolves();
   report.hasMinimum = this->Global.IsDefinite();
 }
 

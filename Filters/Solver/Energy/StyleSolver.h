@@ -77,6 +77,7 @@ struct StyleReport
   bool factored = false;           ///< whether this solve had to factor
   bool hasMinimum = true;          ///< false only with full-edge weights: E is unbounded below
   std::string linearSolver = "none";
+  int unfinishedSolves = 0; ///< by conjugate gradients, of this matrix: ended at their limit
   int gridFunctions = 0;    ///< of the grid [grid]; 0 without details
   double gridSpacing = 0.0; ///< fraction of the diagonal
   bool coarserGrid = false; ///< the grid could not be as fine as the details

@@ -18,8 +18,7 @@ namespace
 using Rows = ConjugateGradients::Rows;
 using Sums = Eigen::Array3d; // one number for each right-hand side
 
-constexpr int Delay = 4; // steps whose gain stands for what is left
-constexpr int LargestNumberOfSteps = 1000;
+constexpr int Delay = 4;           // steps whose gain stands for what is left
 constexpr double Rounding = 1e-15; // of tr X^T B
 
 Sums Products(const Rows& A, const Rows& B, int threads)
@@ -151,7 +150,7 @@ int ConjugateGradients::Solve(
     const double last = std::accumulate(gains.begin(), gains.end(), 0.0);
     if (step >= Delay && last <= std::max(share * gained, negligible))
     {
-      break;
+      return std::min(step, LargestNumberOfSteps - 1); // done, if only with the last step
     }
     Add(AP, -alpha, R, threads);
     this->Precondition(R, Z, threads);

@@ -24,8 +24,11 @@ public:
   /// Makes the incomplete factor. @return whether there is one; an indefinite matrix has none
   bool SetMatrix(const Matrix& A);
 
+  /// Steps of one solve, at most.
+  static constexpr int LargestNumberOfSteps = 1000;
+
   /// Improves X. @param A  the matrix of SetMatrix @param share  of what was gained that may be
-  /// left @return the number of steps
+  /// left @return the number of steps; LargestNumberOfSteps where more of it is left than that
   int Solve(const FullMatrix& A, const Rows& B, Rows& X, double share, int threads = 1) const;
 
 private:

@@ -59,6 +59,7 @@ void LinearSystem::Factor(const Matrix& A, int threads)
 {
   this->Used = this->Chosen; // whatever the last numbers needed
   this->NumberOfSteps = 0;
+  this->NumberOfUnfinishedSolves = 0;
   this->Full = {};
   this->Gradients = {};
   if (this->Used == LinearMethod::ConjugateGradients)
@@ -85,7 +86,9 @@ void LinearSystem::Solve(const RightHandSides& B, RightHandSides& X, int threads
 {
   if (this->Used == LinearMethod::ConjugateGradients)
   {
-    this->NumberOfSteps += this->Gradients.Solve(this->Full, B, X, this->ShareLeft, threads);
+    const int steps = this->Gradients.Solve(this->Full, B, X, this->ShareLeft, threads);
+    this->NumberOfSteps += steps;
+    this->NumberOfUnfinishedSolves += steps == ConjugateGradients::LargestNumberOfSteps ? 1 : 0;
     if (!X.allFinite())
     {
       throw SolverError("the system matrix is singular to machine precision");

@@ -59,6 +59,8 @@ public:
   std::string GetName() const;
   /// Steps of conjugate gradients since Factor.
   int GetNumberOfSteps() const { return this->NumberOfSteps; }
+  /// Solves by them since Factor that ended at their limit: the solution is not there yet.
+  int GetNumberOfUnfinishedSolves() const { return this->NumberOfUnfinishedSolves; }
 
 private:
   /// What Automatic means for A. Analyzes it if that is a factor.
@@ -73,6 +75,7 @@ private:
   FullMatrix Full; // where residuals are needed
   ConjugateGradients Gradients;
   int NumberOfSteps = 0;
+  int NumberOfUnfinishedSolves = 0;
 };
 } // namespace SphericalStyle
 

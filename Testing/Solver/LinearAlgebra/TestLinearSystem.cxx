@@ -197,6 +197,47 @@ void TestRange()
   }
 }
 
+/// Conjugate gradients that end at their limit are counted, and those that do not are not.
+void TestLimit()
+{
+  int unfinished = 0;
+  for (const double power : { 0.0, 2.0, 4.0, 8.0 })
+  {
+    // As slivers make them: the numbers of neighbors differ by many orders.
+    LinearSystem::Matrix A = Grid(120, 1e-9);
+    Meshes::Random random(3);
+    for (int j = 0; j < A.outerSize(); ++j)
+    {
+      const double k = std::pow(10.0, power * random.InCube().x());
+      for (LinearSystem::Matrix::InnerIterator entry(A, j); entry; ++entry)
+      {
+        if (entry.row() != j)
+        {
+          A.coeffRef(j, j) += k - 1.0;
+          A.coeffRef(entry.row(), entry.row()) += k - 1.0;
+          entry.valueRef() = -k;
+        }
+      }
+    }
+    const Rows exact = RandomRows(A.rows(), 8);
+    const Rows B = A.selfadjointView<Eigen::Lower>() * exact;
+    LinearSystem system(LinearMethod::ConjugateGradients);
+    system.SetShareLeft(1e-12);
+    Rows X = Rows::Zero(A.rows(), 3);
+    Solve(system, A, B, X);
+    const int limit = ConjugateGradients::LargestNumberOfSteps;
+    CHECK((system.GetNumberOfUnfinishedSolves() == 1) == (system.GetNumberOfSteps() == limit),
+      system.GetNumberOfUnfinishedSolves() << " unfinished after " << system.GetNumberOfSteps());
+    unfinished += system.GetNumberOfUnfinishedSolves();
+    system.Factor(A);
+    CHECK(system.GetNumberOfUnfinishedSolves() == 0, "a new matrix should begin anew");
+    LinearSystem factored(LinearMethod::Factor);
+    Solve(factored, A, B, X);
+    CHECK(factored.GetNumberOfUnfinishedSolves() == 0, "a factor leaves nothing");
+  }
+  CHECK(unfinished > 0 && unfinished < 4, unfinished << " of 4 should be unfinished");
+}
+
 /// Only with full-edge weights.
 void TestIndefinite()
 {
@@ -317,6 +358,7 @@ int main()
   TestThreads();
   TestChoice();
   TestRange();
+  TestLimit();
   TestIndefinite();
   TestIndefiniteBefore();
   TestSolves();
