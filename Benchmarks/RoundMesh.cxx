@@ -64,7 +64,6 @@ void AskForEnergy(vtkSphericalStyleFilter* filter, int iterations)
   {
     filter->SetStopRuleToFixedIterations();
     filter->SetMaximumNumberOfIterations(iterations);
-    filter->AccelerationOff();
   }
 }
 

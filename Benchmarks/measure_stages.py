@@ -68,29 +68,28 @@ def one_run(surface, arguments):
     return {"first": first, "center": moved, "Roundness": milliseconds(f), **parts}
 
 
-def one_iteration(surface, feature, constraint):
-    """Milliseconds, the mean of five; the linear feature factors once, before the first."""
-    f = sphericalstyle.vtkSphericalStyleFilter()
+def one_iteration(f, surface):
+    """Milliseconds, the mean of five."""
     f.SetInputData(surface)
-    f.SetFeature(feature)
-    f.SetCenterConstraint(constraint)
-    f.SetNormalBlend(0.0)
-    f.SetDetailSize(0.0)
-    f.SetKeepSizeToOff()
-    f.SetRefineLongEdgesToOff()
-    f.AccelerationOff()
     f.SetStopRuleToFixedIterations()
     f.SetMaximumNumberOfIterations(5)
     milliseconds(f)
     parts = stages(f.GetOutputDataObject(1))
-    return (parts["iterate"] + (parts["factor"] if f.GetFeature() == f.NONLINEAR else 0.0)) / 5
+    own_factor = f.IsA("vtkNonlinearStyleFilter")  # the linear feature factors once, before the first
+    return (parts["iterate"] + (parts["factor"] if own_factor else 0.0)) / 5
 
 
 def one_nonlinear_run(surface, _):
-    style = sphericalstyle.vtkSphericalStyleFilter
-    linear = one_iteration(surface, style.LINEAR, style.CORRECTED)
-    corrected = one_iteration(surface, style.NONLINEAR, style.CORRECTED)
-    written = one_iteration(surface, style.NONLINEAR, style.AS_WRITTEN)
+    f = sphericalstyle.vtkSphericalStyleFilter()
+    f.SetNormalBlend(0.0)
+    f.SetDetailSize(0.0)
+    f.SetKeepSizeToOff()
+    f.SetRefineLongEdgesToOff()
+    linear = one_iteration(f, surface)
+    corrected = one_iteration(sphericalstyle.vtkNonlinearStyleFilter(), surface)
+    g = sphericalstyle.vtkNonlinearStyleFilter()
+    g.SetCenterConstraintToAsWritten()
+    written = one_iteration(g, surface)
     return {"linear": linear, "corrected": corrected, "as written": written, "x corrected": corrected / linear,
             "x as written": written / linear}
 

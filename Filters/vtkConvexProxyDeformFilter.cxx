@@ -564,9 +564,6 @@ void vtkConvexProxyDeformFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BorderWidth: " << this->BorderWidth << "\n";
   os << indent << "Transfer: " << this->Transfer << "\n";
   os << indent << "RefineLongEdges: " << this->RefineLongEdges << "\n";
-  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
-  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
-  os << indent << "GenerateNormals: " << OnOff(this->GenerateNormals) << "\n";
   os << indent << "GenerateProjectionArrays: " << OnOff(this->GenerateProjectionArrays) << "\n";
   os << indent << "EffectiveNumberOfProxyPoints: " << this->EffectiveNumberOfProxyPoints << "\n";
   os << indent << "EffectiveProxyMesher: " << this->EffectiveProxyMesher << "\n";

@@ -71,15 +71,15 @@
 #define vtkConvexProxyDeformFilter_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
-#include "vtkWholeSurfaceAlgorithm.h"
+#include "vtkStyleAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 
-class SPHERICALSTYLEFILTERS_EXPORT vtkConvexProxyDeformFilter : public vtkWholeSurfaceAlgorithm
+class SPHERICALSTYLEFILTERS_EXPORT vtkConvexProxyDeformFilter : public vtkStyleAlgorithm
 {
 public:
   static vtkConvexProxyDeformFilter* New();
-  vtkTypeMacro(vtkConvexProxyDeformFilter, vtkWholeSurfaceAlgorithm);
+  vtkTypeMacro(vtkConvexProxyDeformFilter, vtkStyleAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Refinements
@@ -376,15 +376,6 @@ public:
 
   ///@{
   /**
-   * Number type of the output points: vtkAlgorithm::DEFAULT_PRECISION (default: as the input),
-   * SINGLE_PRECISION or DOUBLE_PRECISION. Everything inside is double.
-   */
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
-  vtkGetMacro(OutputPointsPrecision, int);
-  ///@}
-
-  ///@{
-  /**
    * Split edges longer than .04 diagonals of the bounds before all else, so that a panel of two
    * triangles can become round: Off, Automatic (default; where a tenth of the area is of triangles
    * with an edge above a tenth of the diagonal) or On. The output then has more points and cells
@@ -399,21 +390,8 @@ public:
 
   ///@{
   /**
-   * Threads; 0 (default) takes VTK_SMP_MAX_THREADS or else all cores. The result has the same bits
-   * for any number.
+   * Add the point arrays ProxyCell, Barycentric and ProjectionCase. Default off.
    */
-  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
-  vtkGetMacro(NumberOfThreads, int);
-  ///@}
-
-  ///@{
-  /**
-   * Switches, off by default: normals where the input had none; ProxyCell, Barycentric and
-   * ProjectionCase.
-   */
-  vtkSetMacro(GenerateNormals, bool);
-  vtkGetMacro(GenerateNormals, bool);
-  vtkBooleanMacro(GenerateNormals, bool);
   vtkSetMacro(GenerateProjectionArrays, bool);
   vtkGetMacro(GenerateProjectionArrays, bool);
   vtkBooleanMacro(GenerateProjectionArrays, bool);
@@ -475,9 +453,6 @@ private:
   double BorderWidth = 0.2;
   int Transfer = BLEND;
   int RefineLongEdges = WHERE_COARSE;
-  int OutputPointsPrecision = DEFAULT_PRECISION;
-  int NumberOfThreads = 0;
-  bool GenerateNormals = false;
   bool GenerateProjectionArrays = false;
 
   int EffectiveNumberOfProxyPoints = 0;

@@ -21,31 +21,16 @@ struct vtkLocalTermAlgorithm::Internals
   vtkSurfaceMesh Surface;
   SphericalStyle::StyleReport Report;
 
-  static SphericalStyle::LoopOptions MakeLoopOptions(const vtkLocalTermAlgorithm* self);
   void Solve(vtkLocalTermAlgorithm* self, const std::shared_ptr<SphericalStyle::LocalTerm>& term);
   SphericalStyle::Points GetPositions() const;
   void Warn(vtkLocalTermAlgorithm* self) const;
-  void SetFacts(vtkLocalTermAlgorithm* self) const;
 };
-
-SphericalStyle::LoopOptions vtkLocalTermAlgorithm::Internals::MakeLoopOptions(
-  const vtkLocalTermAlgorithm* self)
-{
-  Require(self->Tolerance > 0.0 && self->Tolerance < 1.0, "Tolerance", "above 0 and below 1",
-    self->Tolerance);
-  SphericalStyle::LoopOptions loop;
-  loop.stopRule = static_cast<SphericalStyle::StopRule>(self->StopRule);
-  loop.tolerance = self->Tolerance;
-  loop.maximumNumberOfIterations = self->MaximumNumberOfIterations;
-  loop.acceleration = self->Acceleration;
-  return loop;
-}
 
 void vtkLocalTermAlgorithm::Internals::Solve(
   vtkLocalTermAlgorithm* self, const std::shared_ptr<SphericalStyle::LocalTerm>& term)
 {
   SphericalStyle::StyleOptions options;
-  options.loop = MakeLoopOptions(self);
+  options.loop = self->MakeLoopOptions();
   if (this->Surface.Mesh.F.rows() == 0)
   {
     return;
@@ -73,10 +58,12 @@ SphericalStyle::Points vtkLocalTermAlgorithm::Internals::GetPositions() const
 void vtkLocalTermAlgorithm::Internals::Warn(vtkLocalTermAlgorithm* self) const
 {
   std::vector<std::string> remarks = vtkSurfaceMeshConversion::Remarks(this->Surface);
-  const SphericalStyle::LoopReport& loop = this->Report.loop;
-  if (this->Surface.Mesh.F.rows() > 0 && !loop.converged && !loop.aborted)
+  if (this->Surface.Mesh.F.rows() > 0)
   {
-    remarks.push_back(vtkStyleHistory::NotConverged(this->Report));
+    for (std::string& remark : vtkStyleHistory::Remarks(this->Report))
+    {
+      remarks.push_back(std::move(remark));
+    }
   }
   for (const std::string& remark : remarks)
   {
@@ -84,19 +71,10 @@ void vtkLocalTermAlgorithm::Internals::Warn(vtkLocalTermAlgorithm* self) const
   }
 }
 
-void vtkLocalTermAlgorithm::Internals::SetFacts(vtkLocalTermAlgorithm* self) const
-{
-  const SphericalStyle::LoopReport& loop = this->Report.loop;
-  self->NumberOfIterations = loop.iterations;
-  self->Converged = loop.converged;
-  self->FinalEnergy = loop.history.empty() ? 0.0 : loop.history.back().energy.Total();
-}
-
 //------------------------------------------------------------------------------------------------
 vtkLocalTermAlgorithm::vtkLocalTermAlgorithm()
   : Internal(std::make_unique<Internals>())
 {
-  this->SetNumberOfOutputPorts(2);
 }
 
 vtkLocalTermAlgorithm::~vtkLocalTermAlgorithm() = default;
@@ -104,22 +82,6 @@ vtkLocalTermAlgorithm::~vtkLocalTermAlgorithm() = default;
 void vtkLocalTermAlgorithm::AddArrays(
   const SphericalStyle::LocalTerm&, const vtkSurfaceMesh&, vtkPolyData*)
 {
-}
-
-int vtkLocalTermAlgorithm::FillInputPortInformation(int, vtkInformation* info)
-{
-  TakeDataSet(info);
-  return 1;
-}
-
-int vtkLocalTermAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 1)
-  {
-    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
-    return 1;
-  }
-  return this->Superclass::FillOutputPortInformation(port, info);
 }
 
 int vtkLocalTermAlgorithm::RequestWholeData(
@@ -137,7 +99,7 @@ int vtkLocalTermAlgorithm::Execute(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   internal.Report = {};
-  internal.SetFacts(this);
+  this->SetLoopFacts(internal.Report.loop);
   if (!IsSurface(this, inputVector[0]))
   {
     return 0;
@@ -156,21 +118,6 @@ int vtkLocalTermAlgorithm::Execute(
   this->AddArrays(*term, internal.Surface, output);
   vtkStyleHistory::Fill(vtkTable::GetData(outputVector, 1), internal.Report, this->GetTermName());
   internal.Warn(this);
-  internal.SetFacts(this);
+  this->SetLoopFacts(internal.Report.loop);
   return 1;
-}
-
-void vtkLocalTermAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "StopRule: " << this->StopRule << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
-  os << indent << "Acceleration: " << OnOff(this->Acceleration) << "\n";
-  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
-  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
-  os << indent << "GenerateNormals: " << OnOff(this->GenerateNormals) << "\n";
-  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
-  os << indent << "Converged: " << OnOff(this->Converged) << "\n";
-  os << indent << "FinalEnergy: " << this->FinalEnergy << "\n";
 }

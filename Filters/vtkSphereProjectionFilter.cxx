@@ -55,12 +55,6 @@ Sphere FindSphere(
 
 vtkSphereProjectionFilter::vtkSphereProjectionFilter() = default;
 
-int vtkSphereProjectionFilter::FillInputPortInformation(int, vtkInformation* info)
-{
-  TakeDataSet(info);
-  return 1;
-}
-
 int vtkSphereProjectionFilter::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -95,8 +89,8 @@ int vtkSphereProjectionFilter::Execute(
   sphere = FindSphere(surface.Mesh, this->CenterMode, this->RadiusMode, sphere);
 
   std::vector<int> onCenter;
-  const Points Q =
-    SphericalStyle::ProjectToSphere(surface.Mesh.P, sphere, this->Coefficient, onCenter);
+  const Points Q = SphericalStyle::ProjectToSphere(
+    surface.Mesh.P, sphere, this->Coefficient, ThreadsToUse(this->NumberOfThreads), onCenter);
   output->ShallowCopy(input);
   Conversion::ReplacePoints(output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);
   Conversion::AddDisplacement(output, input);
@@ -124,8 +118,6 @@ void vtkSphereProjectionFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Center: " << Triple(this->Center) << "\n";
   os << indent << "RadiusMode: " << this->RadiusMode << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
-  os << indent << "GenerateNormals: " << OnOff(this->GenerateNormals) << "\n";
   os << indent << "EffectiveCenter: " << Triple(this->EffectiveCenter) << "\n";
   os << indent << "EffectiveRadius: " << this->EffectiveRadius << "\n";
 }

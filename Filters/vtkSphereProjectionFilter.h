@@ -34,13 +34,13 @@
 #define vtkSphereProjectionFilter_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
-#include "vtkWholeSurfaceAlgorithm.h"
+#include "vtkStyleAlgorithm.h"
 
-class SPHERICALSTYLEFILTERS_EXPORT vtkSphereProjectionFilter : public vtkWholeSurfaceAlgorithm
+class SPHERICALSTYLEFILTERS_EXPORT vtkSphereProjectionFilter : public vtkStyleAlgorithm
 {
 public:
   static vtkSphereProjectionFilter* New();
-  vtkTypeMacro(vtkSphereProjectionFilter, vtkWholeSurfaceAlgorithm);
+  vtkTypeMacro(vtkSphereProjectionFilter, vtkStyleAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum CenterModes
@@ -111,25 +111,6 @@ public:
 
   ///@{
   /**
-   * Number type of the output points: vtkAlgorithm::DEFAULT_PRECISION (default: as the input),
-   * SINGLE_PRECISION or DOUBLE_PRECISION. Computed in double always.
-   */
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
-  vtkGetMacro(OutputPointsPrecision, int);
-  ///@}
-
-  ///@{
-  /**
-   * Add point normals of the result also if the input has none; if it has, they are always
-   * recomputed. Default off.
-   */
-  vtkSetMacro(GenerateNormals, bool);
-  vtkGetMacro(GenerateNormals, bool);
-  vtkBooleanMacro(GenerateNormals, bool);
-  ///@}
-
-  ///@{
-  /**
    * Facts of the last execution: the center and radius that were used (model coordinates and
    * length).
    */
@@ -141,7 +122,6 @@ protected:
   vtkSphereProjectionFilter();
   ~vtkSphereProjectionFilter() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -156,8 +136,6 @@ private:
   double Center[3] = { 0.0, 0.0, 0.0 };
   int RadiusMode = OUTER;
   double Radius = 1.0;
-  int OutputPointsPrecision = DEFAULT_PRECISION;
-  bool GenerateNormals = false;
 
   double EffectiveCenter[3] = { 0.0, 0.0, 0.0 };
   double EffectiveRadius = 0.0;

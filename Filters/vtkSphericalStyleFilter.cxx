@@ -3,7 +3,6 @@
 #include "vtkSphericalStyleFilter.h"
 
 #include "Advice.h"
-#include "NonlinearFeature.h"
 #include "SphericalStyleMethod.h"
 #include "SurfaceGrid.h"
 #include "vtkFilterSupport.h"
@@ -65,7 +64,7 @@ constexpr std::size_t MaximumNumberOfCenters = 256;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr vtkSurfaceMeshConversion::ArrayRule ArrayRules[] = {
-  { "Normals", 3, -Infinity, Infinity, vtkDataSetAttributes::NORMALS },
+  // from ROUNDNESS_FACTOR on
   { "Roundness factor", 1, 0.0, Infinity },
   { "Normal blend", 1, 0.0, 1.0 },
   { "Target directions", 3, -Infinity, Infinity },
@@ -173,18 +172,7 @@ vtkSurfaceMeshConversion::Rows Gather(
   vtkSphericalStyleFilter* self, int index, const vtkSurfaceMesh& surface, vtkPolyData* input)
 {
   return vtkSurfaceMeshConversion::GatherPointArray(
-    self->GetInputArrayInformation(index), input, surface, ArrayRules[index]);
-}
-
-Points GatherNormals(
-  vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, vtkPolyData* input)
-{
-  Points normals = Gather(self, NORMALS, surface, input);
-  for (Eigen::Index i = 0; i < normals.rows(); ++i)
-  {
-    normals.row(i) = normals.row(i).stableNormalized();
-  }
-  return normals;
+    self->GetInputArrayInformation(index), input, surface, ArrayRules[index - ROUNDNESS_FACTOR]);
 }
 }
 
@@ -195,11 +183,9 @@ struct vtkSphericalStyleFilter::Internals
   double LongEdgeShare = -1.0; // of that
   vtkSurfaceMesh Refined;      // with long edges split; empty without RefineLongEdges
   SphericalStyle::SphericalStyleMethod Solver;
-  SphericalStyle::NonlinearFeature Nonlinear;
   vtkFoldGuard::Result Guarded;          // of this execution, empty without the guard
-  SphericalStyle::MethodOptions Options; // of the last solve of the linear feature, as wanted
+  SphericalStyle::MethodOptions Options; // of the last solve, as wanted
   vtkStyleReview Review;
-  int Feature = LINEAR; // of this execution: the property may change meanwhile
 
   struct Inputs
   {
@@ -214,27 +200,21 @@ struct vtkSphericalStyleFilter::Internals
   /// long edges split; what it says to warn of is of the input.
   const vtkSurfaceMesh& TakeSurface(vtkSphericalStyleFilter* self, Inputs& inputs);
   vtkSurfaceMesh Refine(vtkSphericalStyleFilter* self, Inputs& inputs) const;
-  static SphericalStyle::LoopOptions MakeLoopOptions(const vtkSphericalStyleFilter* self);
   static bool IsGuarded(const vtkSphericalStyleFilter* self)
   {
     return self->AvoidSelfIntersections && !self->ReproduceThesis;
   }
   static SphericalStyle::MethodOptions MakeOptions(vtkSphericalStyleFilter* self,
     const vtkSurfaceMesh& surface, const Inputs& inputs, const std::vector<char>& region);
-  static SphericalStyle::NonlinearOptions MakeNonlinearOptions(vtkSphericalStyleFilter* self,
-    const vtkSurfaceMesh& surface, const Inputs& inputs, const std::vector<char>& region);
-  /// Runs the feature on what there is to solve.
+  /// Runs the method on what there is to solve.
   /// @param regionWeights  how much moves, n, or none for all @param Q  the moved points
   SphericalStyle::StyleReport Solve(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
     const Inputs& inputs, const std::vector<char>& region, const Eigen::VectorXd& regionWeights,
     const SphericalStyle::Callback& callback, Points& Q);
   void Warn(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
     const SphericalStyle::StyleReport& report) const;
-  void WarnOfNonlinear(
-    vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const;
   void SetFacts(vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const;
-  /// Warns of thinned parts and gives the advice, for the linear feature; none for the thesis,
-  /// which is to be as it is.
+  /// Warns of thinned parts and gives the advice; none for the thesis, which is to be as it is.
   void Comment(vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface,
     const SphericalStyle::StyleReport& report, const Points& Q);
   /// All that an execution says of itself.
@@ -257,8 +237,6 @@ void vtkSphericalStyleFilter::Internals::CheckProperties(const vtkSphericalStyle
   {
     Require(value >= 0.0 && value <= 1.0, name, "in 0..1", value);
   }
-  Require(self->Tolerance > 0.0 && self->Tolerance < 1.0, "Tolerance", "above 0 and below 1",
-    self->Tolerance);
   Require(self->MaximumEdgeLength >= 0.001 && self->MaximumEdgeLength <= 1.0, "MaximumEdgeLength",
     "in 0.001..1", self->MaximumEdgeLength);
 }
@@ -272,9 +250,7 @@ const vtkSurfaceMesh& vtkSphericalStyleFilter::Internals::TakeSurface(
     this->LongEdgeShare = SphericalStyle::LongEdgeShare(this->Surface.Mesh);
   }
   this->Refined = {};
-  const bool never =
-    self->ReproduceThesis || (self->RefineLongEdges == WHERE_COARSE && self->Feature == NONLINEAR);
-  if (never || !vtkLongEdges::IsWanted(self->RefineLongEdges, this->LongEdgeShare))
+  if (self->ReproduceThesis || !vtkLongEdges::IsWanted(self->RefineLongEdges, this->LongEdgeShare))
   {
     return this->Surface;
   }
@@ -310,17 +286,6 @@ vtkSurfaceMesh vtkSphericalStyleFilter::Internals::Refine(
   return mesh;
 }
 
-SphericalStyle::LoopOptions vtkSphericalStyleFilter::Internals::MakeLoopOptions(
-  const vtkSphericalStyleFilter* self)
-{
-  SphericalStyle::LoopOptions loop;
-  loop.stopRule = static_cast<SphericalStyle::StopRule>(self->StopRule);
-  loop.tolerance = self->Tolerance;
-  loop.maximumNumberOfIterations = self->MaximumNumberOfIterations;
-  loop.acceleration = self->Acceleration;
-  return loop;
-}
-
 SphericalStyle::MethodOptions vtkSphericalStyleFilter::Internals::MakeOptions(
   vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, const Inputs& inputs,
   const std::vector<char>& region)
@@ -344,7 +309,8 @@ SphericalStyle::MethodOptions vtkSphericalStyleFilter::Internals::MakeOptions(
   o.anchor = static_cast<SphericalStyle::Anchor>(self->Anchor);
   o.componentCoupling = static_cast<SphericalStyle::ComponentCoupling>(self->ComponentCoupling);
   o.initialGuess = static_cast<SphericalStyle::InitialGuess>(self->InitialGuess);
-  o.loop = MakeLoopOptions(self);
+  o.loop = self->MakeLoopOptions();
+  o.loop.acceleration = o.loop.acceleration && self->Acceleration;
   o.threads = ThreadsToUse(self->NumberOfThreads);
 
   const auto gather = [&](int index) { return Gather(self, index, surface, inputs.Model); };
@@ -355,7 +321,8 @@ SphericalStyle::MethodOptions vtkSphericalStyleFilter::Internals::MakeOptions(
     o.normalBlend > 0.0 || (o.normalBlends.size() > 0 && o.normalBlends.maxCoeff() > 0.0);
   if (useNormals && o.targets.rows() == 0)
   {
-    o.normals = GatherNormals(self, surface, inputs.Model);
+    o.normals = vtkSurfaceMeshConversion::GatherNormals(
+      self->GetInputArrayInformation(NORMALS), inputs.Model, surface);
   }
   const CenterIds ids =
     FindCenterIds(self->GetInputArrayInformation(CENTER_ID), surface, inputs.Model);
@@ -378,35 +345,6 @@ SphericalStyle::MethodOptions vtkSphericalStyleFilter::Internals::MakeOptions(
   return self->ReproduceThesis ? ThesisOptions(o) : o;
 }
 
-SphericalStyle::NonlinearOptions vtkSphericalStyleFilter::Internals::MakeNonlinearOptions(
-  vtkSphericalStyleFilter* self, const vtkSurfaceMesh& surface, const Inputs& inputs,
-  const std::vector<char>& region)
-{
-  using namespace SphericalStyle;
-  if (IsGuarded(self))
-  {
-    throw std::invalid_argument(
-      "AvoidSelfIntersections works with Feature Linear only: take Linear, or switch it off");
-  }
-  if (!region.empty() || inputs.Centers ||
-    !FindCenterIds(self->GetInputArrayInformation(CENTER_ID), surface, inputs.Model).Values.empty())
-  {
-    throw std::invalid_argument(
-      "Feature Nonlinear takes neither a region nor several centers: take Linear, or remove "
-      "selection, region mask, centers and center ids");
-  }
-  NonlinearOptions o;
-  o.lambda = self->Roundness;
-  o.centerMode = static_cast<SphericalStyle::CenterMode>(self->CenterMode);
-  o.center = Eigen::Vector3d(self->Center);
-  o.centerConstraint = static_cast<SphericalStyle::CenterConstraint>(self->CenterConstraint);
-  o.loop = MakeLoopOptions(self);
-  o.threads = ThreadsToUse(self->NumberOfThreads);
-  o.roundnessFactors = Gather(self, ROUNDNESS_FACTOR, surface, inputs.Model).col(0);
-  o.normals = GatherNormals(self, surface, inputs.Model);
-  return self->ReproduceThesis ? ThesisOptions(o) : o;
-}
-
 SphericalStyle::StyleReport vtkSphericalStyleFilter::Internals::Solve(vtkSphericalStyleFilter* self,
   const vtkSurfaceMesh& surface, const Inputs& inputs, const std::vector<char>& region,
   const Eigen::VectorXd& regionWeights, const SphericalStyle::Callback& callback, Points& Q)
@@ -417,34 +355,25 @@ SphericalStyle::StyleReport vtkSphericalStyleFilter::Internals::Solve(vtkSpheric
     return regionWeights.size() > 0 ? mesh.P + regionWeights.asDiagonal() * (solved - mesh.P)
                                     : solved;
   };
-  // Options are made, and arrays checked, even if there is nothing to solve.
-  const auto run = [&](auto& solver, const auto& options)
-  {
-    SphericalStyle::StyleReport report;
-    if (mesh.F.rows() > 0)
-    {
-      solver.SetMesh(mesh);
-      report = solver.Solve(options, callback);
-      Q = finish(solver.GetPositions());
-    }
-    return report;
-  };
   if (mesh.F.rows() > 0)
   {
     self->SetProgressText("Rounding");
     self->UpdateProgress(0.1);
   }
-  this->Feature = self->Feature;
-  if (this->Feature == NONLINEAR)
-  {
-    return run(this->Nonlinear, MakeNonlinearOptions(self, surface, inputs, region));
-  }
+  // Made, and arrays checked, even if there is nothing to solve.
   this->Options = MakeOptions(self, surface, inputs, region);
+  if (mesh.F.rows() == 0)
+  {
+    return {};
+  }
   try
   {
-    if (!IsGuarded(self) || mesh.F.rows() == 0)
+    if (!IsGuarded(self))
     {
-      return run(this->Solver, this->Options);
+      this->Solver.SetMesh(mesh);
+      SphericalStyle::StyleReport report = this->Solver.Solve(this->Options, callback);
+      Q = finish(this->Solver.GetPositions());
+      return report;
     }
     const int type =
       vtkSurfaceMeshConversion::OutputPointType(inputs.Model, self->OutputPointsPrecision);
@@ -474,15 +403,12 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
   }
   if (!report.pointsOnCenter.empty())
   {
-    const auto n = static_cast<vtkIdType>(report.pointsOnCenter.size());
-    warn("no direction from the centre for " + Count(n, "point") + " on it, the first is point " +
-      std::to_string(surface.FirstInputPoint(report.pointsOnCenter.front())) +
-      "; the mean of the neighbours' directions is taken");
+    warn(vtkTargetSphere::OnCenter(report.pointsOnCenter, surface));
   }
   if (self->GenerateCellEnergy && report.closedForm)
   {
     warn("GenerateCellEnergy: the result is in closed form, no energy was minimised, and there is "
-         "no array CellEnergy; SphericalWeighting Uniform or InitialGuess Rest minimise one");
+         "no array CellEnergy; SphericalWeighting Uniform minimizes one");
   }
   if (report.coarserGrid)
   {
@@ -501,9 +427,12 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
          "HalfEdge" +
       std::string(self->ReproduceThesis ? " without ReproduceThesis" : ""));
   }
-  else if (surface.Mesh.F.rows() > 0 && !report.loop.converged && !report.loop.aborted)
+  else if (surface.Mesh.F.rows() > 0)
   {
-    warn(vtkStyleHistory::NotConverged(report));
+    for (const std::string& remark : vtkStyleHistory::Remarks(report))
+    {
+      warn(remark);
+    }
   }
   if (this->Guarded.Guard.blended)
   {
@@ -512,34 +441,10 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
   }
 }
 
-void vtkSphericalStyleFilter::Internals::WarnOfNonlinear(
-  vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const
-{
-  const SphericalStyle::Rises rises = SphericalStyle::CountRises(report.loop);
-  if (rises.globalSteps + rises.localSteps > 0)
-  {
-    vtkWarningWithObjectMacro(self, << InBlock(self) << "the energy rose in " << rises.globalSteps
-                                    << " global and " << rises.localSteps << " local steps and in "
-                                    << rises.iterations << " of " << report.loop.iterations
-                                    << " iterations: CenterConstraint AsWritten does not minimise "
-                                       "it; Corrected does");
-  }
-  if (this->Nonlinear.HasInwardNormals())
-  {
-    vtkWarningWithObjectMacro(
-      self, << InBlock(self)
-            << "the normals point toward the centre: Feature Nonlinear turns "
-               "the surface over. Reverse its faces (vtkReverseSense)");
-  }
-}
-
 void vtkSphericalStyleFilter::Internals::SetFacts(
   vtkSphericalStyleFilter* self, const SphericalStyle::StyleReport& report) const
 {
-  const SphericalStyle::LoopReport& loop = report.loop;
-  self->NumberOfIterations = loop.iterations;
-  self->Converged = loop.converged;
-  self->FinalEnergy = loop.history.empty() ? 0.0 : loop.history.back().energy.Total();
+  self->SetLoopFacts(report.loop);
   std::copy_n(report.sphere.center.data(), 3, self->EffectiveCenter);
   self->EffectiveRadius = report.sphere.radius;
   self->EffectiveCenterMode = self->CenterMode;
@@ -555,7 +460,7 @@ void vtkSphericalStyleFilter::Internals::SetFacts(
 void vtkSphericalStyleFilter::Internals::Comment(vtkSphericalStyleFilter* self,
   const vtkSurfaceMesh& surface, const SphericalStyle::StyleReport& report, const Points& Q)
 {
-  if (Q.rows() == 0 || this->Feature != LINEAR || report.loop.aborted)
+  if (Q.rows() == 0 || report.loop.aborted)
   {
     return;
   }
@@ -575,10 +480,6 @@ void vtkSphericalStyleFilter::Internals::Tell(vtkSphericalStyleFilter* self,
 {
   SetFacts(self, report);
   Warn(self, surface, report);
-  if (this->Feature == NONLINEAR && Q.rows() > 0)
-  {
-    this->WarnOfNonlinear(self, report);
-  }
   this->Comment(self, surface, report, Q);
   vtkStyleHistory::Fill(history, report, "Spherical");
   vtkFoldGuard::Fill(history, this->Guarded);
@@ -595,8 +496,7 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
   using vtkSurfaceMeshConversion::AddPointArray;
   const int type = output->GetPoints()->GetDataType();
   const bool solved = surface.Mesh.F.rows() > 0;
-  const bool linear = this->Feature == LINEAR;
-  if (self->GenerateTargetDirection && linear)
+  if (self->GenerateTargetDirection)
   {
     AddPointArray(output, surface, "TargetDirection", type,
       solved ? this->Solver.GetDirections() : Points(0, 3));
@@ -615,30 +515,16 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
   }
   if (self->GenerateCellEnergy)
   {
-    const Eigen::VectorXd energies = !solved ? Eigen::VectorXd()
-      : linear                               ? this->Solver.GetCellEnergies()
-                                             : this->Nonlinear.GetCellEnergies();
+    const Eigen::VectorXd energies = solved ? this->Solver.GetCellEnergies() : Eigen::VectorXd();
     if (!solved || energies.size() > 0) // none where nothing is minimised, see Warn
     {
       AddPointArray(output, surface, "CellEnergy", VTK_DOUBLE, energies);
     }
   }
-  if (self->GenerateAuxiliaryScale && !linear)
-  {
-    AddPointArray(output, surface, "AuxiliaryScale", VTK_DOUBLE,
-      solved ? this->Nonlinear.GetScales() : Eigen::VectorXd());
-  }
   // An observer may have asked for it since: then there are none of this execution.
-  if (self->GenerateRotation && (!linear || !solved || this->Options.keepRotations))
+  if (self->GenerateRotation && (!solved || this->Options.keepRotations))
   {
-    const SphericalStyle::Matrices& R =
-      linear ? this->Solver.GetRotations() : this->Nonlinear.GetRotations();
-    vtkSurfaceMeshConversion::Rows rows(surface.Mesh.P.rows(), 9);
-    for (Eigen::Index i = 0; i < rows.rows(); ++i)
-    {
-      rows.row(i) = R[i].transpose().reshaped().transpose();
-    }
-    AddPointArray(output, surface, "Rotation", type, rows);
+    vtkSurfaceMeshConversion::AddRotations(output, surface, this->Solver.GetRotations());
   }
 }
 
@@ -713,16 +599,6 @@ int vtkSphericalStyleFilter::FillInputPortInformation(int port, vtkInformation* 
   return 1;
 }
 
-int vtkSphericalStyleFilter::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 1)
-  {
-    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
-    return 1;
-  }
-  return this->Superclass::FillOutputPortInformation(port, info);
-}
-
 int vtkSphericalStyleFilter::RequestWholeData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -788,8 +664,6 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Roundness: " << this->Roundness << "\n";
-  os << indent << "Feature: " << this->Feature << "\n";
-  os << indent << "CenterConstraint: " << this->CenterConstraint << "\n";
   os << indent << "NormalBlend: " << this->NormalBlend << "\n";
   os << indent << "NormalRadius: " << this->NormalRadius << "\n";
   os << indent << "KeepSize: " << this->KeepSize << "\n";
@@ -804,31 +678,14 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BorderWidth: " << this->BorderWidth << "\n";
   os << indent << "CenterBlendWidth: " << this->CenterBlendWidth << "\n";
   os << indent << "SphericalWeighting: " << this->SphericalWeighting << "\n";
-  os << indent << "ConcaveEdges: " << this->ConcaveEdges << "\n";
   os << indent << "AvoidSelfIntersections: " << OnOff(this->AvoidSelfIntersections) << "\n";
   os << indent << "EdgeWeighting: " << this->EdgeWeighting << "\n";
-  os << indent << "StopRule: " << this->StopRule << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
-  os << indent << "Acceleration: " << OnOff(this->Acceleration) << "\n";
-  os << indent << "Anchor: " << this->Anchor << "\n";
-  os << indent << "ComponentCoupling: " << this->ComponentCoupling << "\n";
-  os << indent << "WeldCoincidentPoints: " << OnOff(this->WeldCoincidentPoints) << "\n";
-  os << indent << "InitialGuess: " << this->InitialGuess << "\n";
   os << indent << "RefineLongEdges: " << this->RefineLongEdges << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "ReproduceThesis: " << OnOff(this->ReproduceThesis) << "\n";
-  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
-  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "GenerateTargetDirection: " << OnOff(this->GenerateTargetDirection) << "\n";
   os << indent << "GenerateDisplacement: " << OnOff(this->GenerateDisplacement) << "\n";
-  os << indent << "GenerateNormals: " << OnOff(this->GenerateNormals) << "\n";
-  os << indent << "GenerateCellEnergy: " << OnOff(this->GenerateCellEnergy) << "\n";
   os << indent << "GenerateRotation: " << OnOff(this->GenerateRotation) << "\n";
-  os << indent << "GenerateAuxiliaryScale: " << OnOff(this->GenerateAuxiliaryScale) << "\n";
-  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
-  os << indent << "Converged: " << OnOff(this->Converged) << "\n";
-  os << indent << "FinalEnergy: " << this->FinalEnergy << "\n";
   os << indent << "EffectiveCenter: " << Triple(this->EffectiveCenter) << "\n";
   os << indent << "EffectiveRadius: " << this->EffectiveRadius << "\n";
   os << indent << "CenterPosition: " << this->GetCenterPosition() << "\n";

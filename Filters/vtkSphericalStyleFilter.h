@@ -39,9 +39,7 @@
  *  - Normals: recomputed if the input had point normals or GenerateNormals is on;
  *  - RegionWeight (1): with a region, 0 outside, 1 inside, between them along the border;
  *  - RemainingRoundness (1): with AvoidSelfIntersections, the Roundness that each point kept;
- *  - Rotation (9, row by row): on demand; CellEnergy (1): on demand where an energy is minimised;
- *  - AuxiliaryScale (1): s, 1 / length, on demand with Feature Nonlinear, which has no
- *    TargetDirection;
+ *  - Rotation (9, row by row): on demand;
  *  - RefinedPoint (1): with RefineLongEdges, 1 for new points, which come after those of the input.
  *
  * RefineLongEdges [refine] splits long edges before anything else, so that "input" means the split
@@ -73,9 +71,8 @@
  * then scaled to its old size [size]. With several centers k their targets are blended by shares of
  * each point.
  *
- * Energy [energy], minimised over points p' and rotations R by local and global steps with
- * SphericalWeighting Uniform, EdgeWeighting FullEdge, ConcaveEdges Flip or Zero, InitialGuess Rest,
- * StopRule FixedIterations and ReproduceThesis:
+ * Energy [energy], minimized over points p' and rotations R by local and global steps with
+ * SphericalWeighting Uniform, EdgeWeighting FullEdge, StopRule FixedIterations and ReproduceThesis:
  *
  *     E = sum over triangles f, half-edges h = uv of f, corners y of f of
  *         c_h |e'_uv - R_y e_uv|^2 + l_h |r R_y (t_u - t_v) - e'_uv|^2
@@ -85,27 +82,17 @@
  * to. With several centers k the target of an edge is sum_k omega_k(uv) r_k (t^k_u - t^k_v),
  * omega_k(uv) the mean of the shares at its ends, so that nothing jumps between them.
  *
- * Feature Nonlinear minimises the energy of chapter 3 instead, for study [nonlinear]:
- *
- *     E = sum over points i of [ sum over neighbours j of w_ij |e'_ij - R_i e_ij|^2
- *         + Roundness r^2 sum over j = i and neighbours of |R_i n_j - s_j (p'_j - O)|^2 ]
- *
- * Roundness, CenterMode, Center, StopRule, Tolerance, MaximumNumberOfIterations, Acceleration and
- * arrays 0 and 1 apply to it, and what concerns input and output; the other properties and arrays
- * do not. A region or several centers are an error with it.
- *
  * Source: Research of Spherical Style Deformation on Single Component Models (doctoral thesis),
- * chapter 4, Eq. 4.6 - 4.38 and 3.46 - 3.48, and chapter 3, Eq. 3.1 - 3.42; half-edge weights after
+ * chapter 4, Eq. 4.6 - 4.38, and Eq. 3.46 - 3.48; half-edge weights after
  * Chao, Pinkall, Sanan, Schroeder, A simple geometric model for elastic deformations, ACM TOG
  * 29(4), 2010, doi:10.1145/1778765.1778775. The bracketed labels are those of
- * Filters/Documentation/SphericalStyle.md and NonlinearFeature.md.
+ * Filters/Documentation/SphericalStyle.md.
  *
  * Cost: a pass over the triangles, sums over the samples of a grid, and a factor of one to some ten
  * thousand unknowns, whatever the number of points; it is kept between executions, so that a new
  * Roundness, Center or NormalBlend takes a seventh of the first result (.3 s at 949 000 points on
  * one thread). The energy costs a sparse factorisation of the mesh (about n log n), then per
- * iteration one rotation per point and one triangular solve. Feature Nonlinear factors numerically
- * in every iteration.
+ * iteration one rotation per point and one triangular solve.
  *
  * A warning names the first point of parts that keep less than a tenth of their thickness without
  * DetailSize; about 2000 points are looked at.
@@ -114,37 +101,28 @@
  * is gone. With NormalRadius WholeModel and NormalBlend > 0 the surface may fold at concave places
  * (thesis 4.5.3).
  *
- * @sa vtkPolyDataNormals vtkCurvatures vtkIntersectionPolyDataFilter
+ * @sa vtkThesisStyleFilter vtkNonlinearStyleFilter vtkPolyDataNormals vtkCurvatures
+ * vtkIntersectionPolyDataFilter
  */
 #ifndef vtkSphericalStyleFilter_h
 #define vtkSphericalStyleFilter_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
-#include "vtkTimeStamp.h"                // for vtkTimeStamp
-#include "vtkWholeSurfaceAlgorithm.h"
+#include "vtkIterativeStyleAlgorithm.h"
+#include "vtkTimeStamp.h" // for vtkTimeStamp
 
 #include <memory> // for std::shared_ptr
 #include <string> // for std::string
 
 class vtkPointSet;
 
-class SPHERICALSTYLEFILTERS_EXPORT vtkSphericalStyleFilter : public vtkWholeSurfaceAlgorithm
+class SPHERICALSTYLEFILTERS_EXPORT vtkSphericalStyleFilter : public vtkIterativeStyleAlgorithm
 {
 public:
   static vtkSphericalStyleFilter* New();
-  vtkTypeMacro(vtkSphericalStyleFilter, vtkWholeSurfaceAlgorithm);
+  vtkTypeMacro(vtkSphericalStyleFilter, vtkIterativeStyleAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum Features
-  {
-    LINEAR = 0,
-    NONLINEAR = 1
-  };
-  enum CenterConstraints
-  {
-    CORRECTED = 0,
-    AS_WRITTEN = 1
-  };
   enum NormalRadii
   {
     OWN_THICKNESS = 0,
@@ -186,43 +164,16 @@ public:
     UNIFORM = 0,
     COTANGENT = 1
   };
-  enum ConcaveEdgeModes
-  {
-    KEEP = 0,
-    FLIP = 1,
-    ZERO = 2
-  };
   enum EdgeWeightings
   {
     HALF_EDGE = 0,
     FULL_EDGE = 1,
     INTRINSIC_DELAUNAY = 2
   };
-  enum StopRules
-  {
-    CONVERGED = 0,
-    THESIS = 1,
-    FIXED_ITERATIONS = 2
-  };
   enum SphereSources
   {
     WHOLE_MODEL = 0,
     REGION = 1
-  };
-  enum Anchors
-  {
-    CENTROID = 0,
-    LAST_POINT = 1
-  };
-  enum ComponentCouplings
-  {
-    STITCHED = 0,
-    INDEPENDENT = 1
-  };
-  enum InitialGuesses
-  {
-    BLEND = 0,
-    REST = 1
   };
 
   /// Centers of your own for the center ids. @{
@@ -242,31 +193,6 @@ public:
    */
   vtkSetMacro(Roundness, double);
   vtkGetMacro(Roundness, double);
-  ///@}
-
-  ///@{
-  /**
-   * The energy: Linear (default; thesis chapter 4) or Nonlinear (chapter 3, the attempt before it,
-   * for study: normals of the turned cells are to point away from the centre, at any radius).
-   */
-  vtkSetClampMacro(Feature, int, LINEAR, NONLINEAR);
-  vtkGetMacro(Feature, int);
-  void SetFeatureToLinear() { this->SetFeature(LINEAR); }
-  void SetFeatureToNonlinear() { this->SetFeature(NONLINEAR); }
-  ///@}
-
-  ///@{
-  /**
-   * Feature Nonlinear: Corrected (default; every step lowers the energy) or AsWritten (Eq. 3.12 and
-   * 3.26 - 3.42 to the letter, with CenterMode PointMean, no acceleration and the rule of Thesis in
-   * place of Converged). As written the energy can rise, which is the failure that the thesis
-   * reports; a warning counts the steps. At most 50000 points, and 1000000 points times neighbours
-   * of the last point: more is an error.
-   */
-  vtkSetClampMacro(CenterConstraint, int, CORRECTED, AS_WRITTEN);
-  vtkGetMacro(CenterConstraint, int);
-  void SetCenterConstraintToCorrected() { this->SetCenterConstraint(CORRECTED); }
-  void SetCenterConstraintToAsWritten() { this->SetCenterConstraint(AS_WRITTEN); }
   ///@}
 
   ///@{
@@ -426,24 +352,11 @@ public:
 
   ///@{
   /**
-   * What happens to edges whose target points against them on the rest shape (only where
-   * NormalBlend > 0 or targets are given): Keep (default), Flip (Eq. 4.39: convex gets more convex,
-   * concave more concave) or Zero (no target, the edge shrinks).
-   */
-  vtkSetClampMacro(ConcaveEdges, int, KEEP, ZERO);
-  vtkGetMacro(ConcaveEdges, int);
-  void SetConcaveEdgesToKeep() { this->SetConcaveEdges(KEEP); }
-  void SetConcaveEdgesToFlip() { this->SetConcaveEdges(FLIP); }
-  void SetConcaveEdgesToZero() { this->SetConcaveEdges(ZERO); }
-  ///@}
-
-  ///@{
-  /**
    * Take less of Roundness where triangles would turn over or newly run through each other, and
    * solve again until none does [guard]; the result is checked as it is written, in the number type
    * of the output. What the input has already stays. With NormalBlend 0 on models without thin
-   * parts it rarely changes anything: then the result has the same bits as without. Needs Feature
-   * Linear; off with ReproduceThesis. Cost: a search for self-intersections, and where it finds
+   * parts it rarely changes anything: then the result has the same bits as without. Off with
+   * ReproduceThesis. Cost: a search for self-intersections, and where it finds
    * some up to 26 solves and searches, usually 10 to 20. Needs CGAL: an error in libraries built
    * without it. Default off.
    */
@@ -472,99 +385,10 @@ public:
 
   ///@{
   /**
-   * When the iteration ends: Converged (default; estimated energy gap below Tolerance), Thesis
-   * (Eq. 3.46 with its tolerance of 0.001; stops with 10 to 40 % of the shape still missing) or
-   * FixedIterations (exactly MaximumNumberOfIterations).
-   */
-  vtkSetClampMacro(StopRule, int, CONVERGED, FIXED_ITERATIONS);
-  vtkGetMacro(StopRule, int);
-  void SetStopRuleToConverged() { this->SetStopRule(CONVERGED); }
-  void SetStopRuleToThesis() { this->SetStopRule(THESIS); }
-  void SetStopRuleToFixedIterations() { this->SetStopRule(FIXED_ITERATIONS); }
-  ///@}
-
-  ///@{
-  /**
-   * Converged: bound on the estimated energy gap (E - E*) / (E_0 - E*), E_0 the energy of the
-   * unmoved model, E* that of the minimum. Smaller is nearer and slower. No unit. Above 0, below 1.
-   * Default 1e-4.
-   */
-  vtkSetClampMacro(Tolerance, double, 1e-14, 0.5);
-  vtkGetMacro(Tolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Bound on local/global iterations, or their exact number with FixedIterations. Reaching it
-   * without convergence is a warning. 0 or more. Default 200.
-   */
-  vtkSetClampMacro(MaximumNumberOfIterations, int, 0, VTK_INT_MAX);
-  vtkGetMacro(MaximumNumberOfIterations, int);
-  ///@}
-
-  ///@{
-  /**
-   * Anderson acceleration (window 5) with an energy guard: fewer iterations, the energy still never
-   * rises. Default on.
-   */
-  vtkSetMacro(Acceleration, bool);
-  vtkGetMacro(Acceleration, bool);
-  vtkBooleanMacro(Acceleration, bool);
-  ///@}
-
-  ///@{
-  /**
-   * What stays in place, of the whole model, or with the energy per connected component: Centroid
-   * (default; the mean of its points, each with a third of the rest area of its triangles) or
-   * LastPoint (thesis: the last point of the component).
-   */
-  vtkSetClampMacro(Anchor, int, CENTROID, LAST_POINT);
-  vtkGetMacro(Anchor, int);
-  void SetAnchorToCentroid() { this->SetAnchor(CENTROID); }
-  void SetAnchorToLastPoint() { this->SetAnchor(LAST_POINT); }
-  ///@}
-
-  ///@{
-  /**
-   * What holds parts together that share no edge (eyeballs in a head, panels of a car): Stitched
-   * (default; near points of different parts are joined by edges, so that parts travel and turn
-   * with their surroundings and the whole model has one anchor) or Independent (thesis; nothing:
-   * each part has an anchor of its own and goes its own way). Of the energy only: in closed form
-   * what lies within a cell of the grid moves as one anyway.
-   */
-  vtkSetClampMacro(ComponentCoupling, int, STITCHED, INDEPENDENT);
-  vtkGetMacro(ComponentCoupling, int);
-  void SetComponentCouplingToStitched() { this->SetComponentCoupling(STITCHED); }
-  void SetComponentCouplingToIndependent() { this->SetComponentCoupling(INDEPENDENT); }
-  ///@}
-
-  ///@{
-  /**
-   * Solve coincident points as one, so that texture seams and split normals do not open. Points are
-   * never removed from the output. Default on.
-   */
-  vtkSetMacro(WeldCoincidentPoints, bool);
-  vtkGetMacro(WeldCoincidentPoints, bool);
-  vtkBooleanMacro(WeldCoincidentPoints, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Where an iteration starts: Blend (default; every rotation the identity, one global step, not
-   * counted) or Rest (thesis; the unmoved points).
-   */
-  vtkSetClampMacro(InitialGuess, int, BLEND, REST);
-  vtkGetMacro(InitialGuess, int);
-  void SetInitialGuessToBlend() { this->SetInitialGuess(BLEND); }
-  void SetInitialGuessToRest() { this->SetInitialGuess(REST); }
-  ///@}
-
-  ///@{
-  /**
    * Split edges longer than MaximumEdgeLength before all else, so that a panel of two triangles
    * can become round. The output then has more points and cells than the input (RefinedPoint,
    * OriginalCell). Automatic (default) splits where a tenth of the area is of triangles with an
-   * edge above a tenth of the diagonal of the bounds; with Feature Nonlinear it does not.
+   * edge above a tenth of the diagonal of the bounds.
    */
   vtkSetClampMacro(RefineLongEdges, int, NEVER, ALWAYS);
   vtkGetMacro(RefineLongEdges, int);
@@ -585,10 +409,11 @@ public:
 
   ///@{
   /**
-   * Run the method of the thesis to the letter. On overrides FullEdge, Uniform, Thesis stop, Rest,
-   * LastPoint, Independent, no acceleration, PointMean, DetailSize 0, NormalRadius WholeModel,
-   * KeepSize Off, no KeepOnGround and no AvoidSelfIntersections; with Feature Nonlinear AsWritten,
-   * Thesis stop, no acceleration and PointMean; with both no RefineLongEdges. Default off.
+   * Run the method of the thesis to the letter. On overrides EdgeWeighting FullEdge,
+   * SphericalWeighting Uniform, StopRule Thesis, CenterMode PointMean, DetailSize 0, NormalRadius
+   * WholeModel, KeepSize Off, no KeepOnGround, no AvoidSelfIntersections and no RefineLongEdges;
+   * the iteration starts from the model as it is, in plain steps, and the last point of each
+   * component stays in place. Single steps of it: vtkThesisStyleFilter. Default off.
    */
   vtkSetMacro(ReproduceThesis, bool);
   vtkGetMacro(ReproduceThesis, bool);
@@ -597,27 +422,8 @@ public:
 
   ///@{
   /**
-   * Number type of the output points: vtkAlgorithm::DEFAULT_PRECISION (default: as the input),
-   * SINGLE_PRECISION or DOUBLE_PRECISION. The solve is always double.
-   */
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
-  vtkGetMacro(OutputPointsPrecision, int);
-  ///@}
-
-  ///@{
-  /**
-   * Threads of the solve; 0 (default) takes VTK_SMP_MAX_THREADS or else all cores. The result has
-   * the same bits for any number.
-   */
-  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
-  vtkGetMacro(NumberOfThreads, int);
-  ///@}
-
-  ///@{
-  /**
-   * Switches of the output arrays. TargetDirection and Displacement are on, the others off by
-   * default. GenerateNormals adds normals where the input had none. TargetDirection needs Feature
-   * Linear, AuxiliaryScale Nonlinear.
+   * Switches of the output arrays. TargetDirection and Displacement are on by default, Rotation is
+   * off.
    */
   vtkSetMacro(GenerateTargetDirection, bool);
   vtkGetMacro(GenerateTargetDirection, bool);
@@ -625,29 +431,16 @@ public:
   vtkSetMacro(GenerateDisplacement, bool);
   vtkGetMacro(GenerateDisplacement, bool);
   vtkBooleanMacro(GenerateDisplacement, bool);
-  vtkSetMacro(GenerateNormals, bool);
-  vtkGetMacro(GenerateNormals, bool);
-  vtkBooleanMacro(GenerateNormals, bool);
-  vtkSetMacro(GenerateCellEnergy, bool);
-  vtkGetMacro(GenerateCellEnergy, bool);
-  vtkBooleanMacro(GenerateCellEnergy, bool);
   vtkSetMacro(GenerateRotation, bool);
   vtkGetMacro(GenerateRotation, bool);
   vtkBooleanMacro(GenerateRotation, bool);
-  vtkSetMacro(GenerateAuxiliaryScale, bool);
-  vtkGetMacro(GenerateAuxiliaryScale, bool);
-  vtkBooleanMacro(GenerateAuxiliaryScale, bool);
   ///@}
 
   ///@{
   /**
-   * Facts of the last execution: iterations done, whether the stop rule was met, the energy
-   * (length^2), the centre and radius that were used (model coordinates and length; of the lowest
-   * id with several; with Feature Nonlinear the radius r is the unit of length in the energy).
+   * Facts of the last execution: the centre and radius that were used (model coordinates and
+   * length; of the lowest id with several).
    */
-  vtkGetMacro(NumberOfIterations, int);
-  vtkGetMacro(Converged, bool);
-  vtkGetMacro(FinalEnergy, double);
   vtkGetVector3Macro(EffectiveCenter, double);
   vtkGetMacro(EffectiveRadius, double);
   ///@}
@@ -684,7 +477,7 @@ public:
   /**
    * The one change that would improve the result of the last execution most, in one line, from what
    * was measured: "SphericalWeighting Cotangent: 53 % of the triangles are obtuse". Empty where
-   * there is none, with ReproduceThesis, with Feature Nonlinear, and from a change of a property to
+   * there is none, with ReproduceThesis, and from a change of a property to
    * the next execution. Nothing is changed by itself.
    */
   const char* GetAdvice();
@@ -694,8 +487,16 @@ protected:
   ~vtkSphericalStyleFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  // What only a study of the thesis changes: vtkThesisStyleFilter says what they are.
+  int ConcaveEdges = 0;
+  bool Acceleration = true;
+  int Anchor = 0;
+  int ComponentCoupling = 0;
+  int InitialGuess = 0;
+  bool WeldCoincidentPoints = true;
+  bool GenerateCellEnergy = false;
 
 private:
   vtkSphericalStyleFilter(const vtkSphericalStyleFilter&) = delete;
@@ -707,8 +508,6 @@ private:
   static constexpr int NotCounted = -1;
 
   double Roundness = 1.0;
-  int Feature = LINEAR;
-  int CenterConstraint = CORRECTED;
   double NormalBlend = 0.6;
   int NormalRadius = OWN_THICKNESS;
   int KeepSize = AREA;
@@ -723,32 +522,15 @@ private:
   double BorderWidth = 0.1;
   double CenterBlendWidth = 0.02;
   int SphericalWeighting = COTANGENT;
-  int ConcaveEdges = KEEP;
   bool AvoidSelfIntersections = false;
   int EdgeWeighting = HALF_EDGE;
-  int StopRule = CONVERGED;
-  double Tolerance = 1e-4;
-  int MaximumNumberOfIterations = 200;
-  bool Acceleration = true;
-  int Anchor = CENTROID;
-  int ComponentCoupling = STITCHED;
-  bool WeldCoincidentPoints = true;
-  int InitialGuess = BLEND;
   int RefineLongEdges = WHERE_COARSE;
   double MaximumEdgeLength = 0.04;
   bool ReproduceThesis = false;
-  int OutputPointsPrecision = DEFAULT_PRECISION;
-  int NumberOfThreads = 0;
   bool GenerateTargetDirection = true;
   bool GenerateDisplacement = true;
-  bool GenerateNormals = false;
-  bool GenerateCellEnergy = false;
   bool GenerateRotation = false;
-  bool GenerateAuxiliaryScale = false;
 
-  int NumberOfIterations = 0;
-  bool Converged = false;
-  double FinalEnergy = 0.0;
   double EffectiveCenter[3] = { 0.0, 0.0, 0.0 };
   double EffectiveRadius = 0.0;
   int TurnedOverBefore = NotCounted;

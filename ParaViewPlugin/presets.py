@@ -19,8 +19,8 @@ class Preset(NamedTuple):
 def _preset(description, roundness, normal_blend, detail_size, **more):
     """What is not named here is as in the filter's defaults, whatever was set before."""
     properties = dict(Roundness=roundness, NormalBlend=normal_blend, DetailSize=detail_size,
-                      NormalRadius="OwnThickness", ConcaveEdges="Keep", SphericalWeighting="Cotangent",
-                      Feature="Linear", ReproduceThesis=0)
+                      NormalRadius="OwnThickness", SphericalWeighting="Cotangent", EdgeWeighting="HalfEdge",
+                      StopRule="Converged", ReproduceThesis=0)
     assert set(more) <= set(properties), more
     return Preset(properties | more, description)
 

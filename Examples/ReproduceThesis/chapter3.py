@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Chapter 3: the nonlinear spherical feature, vtkSphericalStyleFilter with Feature Nonlinear."""
+"""Chapter 3: the nonlinear spherical feature, vtkNonlinearStyleFilter."""
 import numpy as np
 
 import models
@@ -10,21 +10,20 @@ from mesh_measures import (corner_table, crosses, diagonal, distance, edge_weigh
                            rises,
                            similar)
 from report import experiment
-from sphericalstyle import vtkSphericalStyleFilter as Style
+from sphericalstyle import vtkNonlinearStyleFilter as Nonlinear
 from surfaces import array, moved, points, triangles, with_array
 
 
 def nonlinear(context, model, iterations=30, **properties):
     """Plain local and global steps, so many of them."""
     properties.setdefault("Roundness", 1.0)
-    return context.style(model, Feature=Style.NONLINEAR, Acceleration=False,
-                         StopRule=Style.FIXED_ITERATIONS, MaximumNumberOfIterations=iterations,
-                         GenerateRotation=True, GenerateAuxiliaryScale=True, **properties)
+    return context.nonlinear(model, StopRule=Nonlinear.FIXED_ITERATIONS, MaximumNumberOfIterations=iterations,
+                             GenerateRotation=True, GenerateAuxiliaryScale=True, **properties)
 
 
 def as_written(context, model, iterations=30, **properties):
     """The same with Eq. 3.12 and 3.26 - 3.42 to the letter."""
-    return nonlinear(context, model, iterations, CenterConstraint=Style.AS_WRITTEN, **properties)
+    return nonlinear(context, model, iterations, CenterConstraint=Nonlinear.AS_WRITTEN, **properties)
 
 
 def energy_plots(section, name, runs, first=1):
@@ -284,10 +283,9 @@ def larger_lambda(section, context):
     stone = context.model("go-stone")
     values = (1.0, 2.0, 5.0, 20.0)
     rows, panels, found = [], [], []
-    for form, constraint in (("as written", Style.AS_WRITTEN), ("corrected", Style.CORRECTED)):
-        runs = [context.style(stone, Feature=Style.NONLINEAR, Roundness=value,
-                              CenterConstraint=constraint, StopRule=Style.THESIS,
-                              Acceleration=False) for value in values]
+    for form, constraint in (("as written", Nonlinear.AS_WRITTEN), ("corrected", Nonlinear.CORRECTED)):
+        runs = [context.nonlinear(stone, Roundness=value, CenterConstraint=constraint, StopRule=Nonlinear.THESIS)
+                for value in values]
         base = points(runs[0].GetOutput())
         panels.append([(run.GetOutput(), f"{form}, λ = {value:g}") for value, run in zip(values, runs)])
         measured = []
@@ -409,15 +407,16 @@ def cost(section, context):
     levels = context.choose((2, 3, 4), (2, 3, 4, 5))
     rows, curves = [], {"linear": [], "nonlinear, corrected": [], "nonlinear, as written": []}
 
-    def seconds(iterations=10, repeats=3, **properties):
+    def seconds(execute, iterations=10, repeats=3, **properties):
         """Per iteration, the best: steps, and the factorization where each needs its own."""
         best = np.inf
         for _ in range(repeats):
-            style = context.style(MaximumNumberOfIterations=iterations, **properties)
+            style = execute(MaximumNumberOfIterations=iterations, StopRule=Nonlinear.FIXED_ITERATIONS, Roundness=1.0,
+                            **properties)
             stages = style.GetOutputDataObject(1).GetFieldData().GetArray("StageSeconds")
             spent = {stages.GetComponentName(k): stages.GetComponent(0, k)
                      for k in range(stages.GetNumberOfComponents())}
-            own = spent["Factor"] if style.GetFeature() == Style.NONLINEAR else 0.0
+            own = spent["Factor"] if style.IsA("vtkNonlinearStyleFilter") else 0.0
             best = min(best, (spent["Iterate"] + own) / iterations)
         return best
 
@@ -425,13 +424,11 @@ def cost(section, context):
         ball = models.SHAPES["icosphere"](level=level)
         model = moved(ball, points(ball) * (1.0, 0.45, 1.0))
         n = model.GetNumberOfPoints()
-        fixed = {"surface": model, "StopRule": Style.FIXED_ITERATIONS, "Acceleration": False,
-                 "InitialGuess": Style.REST, "Roundness": 1.0}
-        measured = {"linear": seconds(**fixed),
-                    "nonlinear, corrected": seconds(Feature=Style.NONLINEAR, **fixed),
+        measured = {"linear": seconds(context.style, surface=model, InitialGuess=1),  # from rest
+                    "nonlinear, corrected": seconds(context.nonlinear, surface=model),
                     "nonlinear, as written": seconds(
-                        *((10, 3) if n < 3000 else (3, 1)), Feature=Style.NONLINEAR,
-                        CenterConstraint=Style.AS_WRITTEN, **fixed)}
+                        context.nonlinear, *((10, 3) if n < 3000 else (3, 1)), surface=model,
+                        CenterConstraint=Nonlinear.AS_WRITTEN)}
         for label, value in measured.items():
             curves[label].append((n, value))
         rows.append((n, *(1000.0 * measured[label] for label in curves)))
@@ -469,9 +466,7 @@ def stop(section, context):
         before, after = (points(nonlinear(context, model, k).GetOutput()) for k in (4, 5))
         residual = dot(after - before, after - before).max() / dot(after - x, after - x).max()
         table = history(nonlinear(context, model, 5))["Residual"]
-        stopped = context.style(model, Feature=Style.NONLINEAR, Roundness=1.0,
-                                StopRule=Style.THESIS,
-                                Acceleration=False)
+        stopped = context.nonlinear(model, Roundness=1.0, StopRule=Nonlinear.THESIS)
         limit = nonlinear(context, model, context.choose(200, 1000))
         count = stopped.GetNumberOfIterations()
         off = length(points(stopped.GetOutput()) - points(limit.GetOutput())).max()

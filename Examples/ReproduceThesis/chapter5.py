@@ -14,7 +14,7 @@ from mesh_measures import (angles, diagonal, dihedral_angles, dihedral_change, e
                            inner_edges, laplacian, normals_of, obtuse, open_edges, places, spread,
                            turned_over, volume, welded)
 from report import NOT_REPRODUCED, experiment
-from sphericalstyle import vtkSphericalStyleFilter as Style
+from sphericalstyle import vtkThesisStyleFilter as Style
 from surfaces import array, moved, part, points, surface, triangles, with_array
 
 PROXY = ("vtkConvexProxyDeformFilter",)

@@ -12,9 +12,10 @@ from surfaces import columns
 # What the experiments rely on, whatever the filters have by default: weights and center of the thesis, the pull toward
 # one ball as large as the model, no details kept, nothing split and nothing scaled.
 SETTINGS = {
-    "vtkSphericalStyleFilter": {
+    "vtkThesisStyleFilter": {
         "Roundness": 0.5, "NormalBlend": 0.0, "NormalRadius": 1, "DetailSize": 0.0, "SphericalWeighting": 0,
         "CenterMode": 0, "KeepSize": 0, "RefineLongEdges": 0, "OutputPointsPrecision": 1},
+    "vtkNonlinearStyleFilter": {"Roundness": 0.5, "CenterMode": 0, "OutputPointsPrecision": 1},
     "vtkConvexProxyDeformFilter": {"RefineLongEdges": 0},
 }
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -81,8 +82,12 @@ class Context:
         return algorithm
 
     def style(self, surface, others=None, arrays=None, **properties):
-        """The executed vtkSphericalStyleFilter."""
-        return self.run("vtkSphericalStyleFilter", surface, others, arrays, **properties)
+        """The executed vtkThesisStyleFilter."""
+        return self.run("vtkThesisStyleFilter", surface, others, arrays, **properties)
+
+    def nonlinear(self, surface, **properties):
+        """The executed vtkNonlinearStyleFilter."""
+        return self.run("vtkNonlinearStyleFilter", surface, **properties)
 
     def thesis(self, surface, **properties):
         """The same to the letter of the thesis."""

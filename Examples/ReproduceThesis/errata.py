@@ -16,7 +16,8 @@ from mesh_measures import (aligned, corner_table, crosses, diagonal, dihedral_ch
                            edge_weights, inner_edges, laplacian, places, rises, turned_over, volume)
 from report import NOT_REPRODUCED, experiment
 from sphericalstyle import vtkSphereProjectionFilter as Projection
-from sphericalstyle import vtkSphericalStyleFilter as Style
+from sphericalstyle import vtkNonlinearStyleFilter as Nonlinear
+from sphericalstyle import vtkThesisStyleFilter as Style
 from surfaces import array, columns, moved, points, surface, triangles
 
 PROXY = ("vtkConvexProxyDeformFilter",)
@@ -243,9 +244,9 @@ def center_constraint(section, context):
     rows, curves = [], {}
     for name in ("go-stone", "cube", "stone-house"):
         curves[name] = {}
-        for label, constraint in (("as written", Style.AS_WRITTEN), ("corrected", Style.CORRECTED)):
-            style = fixed(context, context.model(name), 30, Feature=Style.NONLINEAR, Roundness=0.05,
-                          CenterConstraint=constraint)
+        for label, constraint in (("as written", Nonlinear.AS_WRITTEN), ("corrected", Nonlinear.CORRECTED)):
+            style = context.nonlinear(context.model(name), Roundness=0.05, CenterConstraint=constraint,
+                                      StopRule=Nonlinear.FIXED_ITERATIONS, MaximumNumberOfIterations=30)
             table = history(style)
             curves[name][label] = (np.arange(3, 31), table["Total"][3:] / table["Total"][0])
             rows.append((name, label, rises(table["GlobalChange"][1:], table["Total"][0]),

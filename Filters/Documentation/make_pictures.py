@@ -38,8 +38,8 @@ import model_files  # noqa: E402
 import model_pictures  # noqa: E402
 from sphericalstyle import presets  # noqa: E402
 from sphericalstyle import (  # noqa: E402
-    vtkConvexProxyDeformFilter, vtkCubicStyleFilter, vtkGaussMapFilter, vtkNormalAnalogyFilter,
-    vtkSphereProjectionFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics)
+    vtkConvexProxyDeformFilter, vtkCubicStyleFilter, vtkGaussMapFilter, vtkNonlinearStyleFilter,
+    vtkNormalAnalogyFilter, vtkSphereProjectionFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics, vtkThesisStyleFilter)
 
 
 def run(deform, surface, properties):
@@ -255,17 +255,20 @@ def wall_sections(name):
 
 wall_sections("wall.png")
 
-# ----------------------------------------------------------------------------------- NonlinearFeature
+# ----------------------------------------------------------------------------------- NonlinearStyle
 stone = model_files.read(ROOT / "Data" / "go-stone.vtp")
-nonlinear = {"Feature": vtkSphericalStyleFilter.NONLINEAR}
-thirty = {"StopRule": vtkSphericalStyleFilter.FIXED_ITERATIONS, "MaximumNumberOfIterations": 30,
-          "Acceleration": False}
+
+def nonlinear(surface, **properties):
+    return run(vtkNonlinearStyleFilter(), surface, properties).GetOutput()
+
+
+thirty = {"StopRule": vtkSphericalStyleFilter.FIXED_ITERATIONS, "MaximumNumberOfIterations": 30}
 
 picture("nonlinear-stone.png", (1000, 330), [[
     (stone, "model"),
     (rounded(stone, Roundness=1.0, **PLAIN), "Linear"),
-    (rounded(stone, Roundness=1.0, **nonlinear, **thirty), "Nonlinear, 30 iterations"),
-    (rounded(stone, Roundness=1.0, Tolerance=1e-6, **nonlinear), "Nonlinear, converged"),
+    (nonlinear(stone, **thirty), "Nonlinear, 30 iterations"),
+    (nonlinear(stone, Tolerance=1e-6), "Nonlinear, converged"),
 ]], 55.0, 13)
 
 
@@ -275,8 +278,8 @@ def energy_plot(name, surface, roundness):
         return
     figure, (total_axes, change_axes) = plt.subplots(1, 2, figsize=(10.0, 3.6), dpi=100)
     for label, constraint, style in (("as written", 1, "o-"), ("corrected", 0, "s-")):
-        table = run(vtkSphericalStyleFilter(), surface, {
-            "Roundness": roundness, "CenterConstraint": constraint, **nonlinear, **thirty,
+        table = run(vtkNonlinearStyleFilter(), surface, {
+            "Roundness": roundness, "CenterConstraint": constraint, **thirty,
         }).GetOutputDataObject(1)
         total, change = (numpy_support.vtk_to_numpy(table.GetColumnByName(column))
                          for column in ("Total", "GlobalChange"))
@@ -414,8 +417,8 @@ if wanted("fold-guard.png"):
 
 def with_intersections(label, **properties):
     """A panel of the rounded creature with its intersecting triangles in red."""
-    surface = rounded(creature, Roundness=0.1, NormalRadius=vtkSphericalStyleFilter.WHOLE_MODEL_RADIUS,
-                      **{**PLAIN, **properties})
+    surface = run(vtkThesisStyleFilter(), creature, {
+        **PLAIN, "Roundness": 0.1, "NormalRadius": vtkSphericalStyleFilter.WHOLE_MODEL_RADIUS, **properties}).GetOutput()
     metrics = run(vtkSurfaceMetrics(), surface, {"ReferenceData": creature})
     found = vtkThreshold()
     found.SetInputData(metrics.GetOutput())

@@ -67,9 +67,22 @@ void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char
   }
 }
 
-std::string NotConverged(const SphericalStyle::StyleReport& report)
+std::vector<std::string> Remarks(const SphericalStyle::StyleReport& report)
 {
-  return "not converged after " + std::to_string(report.loop.iterations) +
-    " iterations; raise MaximumNumberOfIterations or Tolerance";
+  std::vector<std::string> remarks;
+  if (!report.loop.converged && !report.loop.aborted)
+  {
+    remarks.push_back("not converged after " + std::to_string(report.loop.iterations) +
+      " iterations; raise MaximumNumberOfIterations or Tolerance");
+  }
+  if (report.unfinishedSolves > 0)
+  {
+    remarks.push_back(std::to_string(report.unfinishedSolves) +
+      " solves of the global step ended before their solution: the factor of this mesh does not "
+      "fit "
+      "into memory, and conjugate gradients are slow on its slivers. Take SphericalWeighting "
+      "Cotangent, or improve the mesh");
+  }
+  return remarks;
 }
 }

@@ -8,6 +8,7 @@
 #include "StyleSolver.h" // for StyleReport
 
 #include <string>
+#include <vector>
 
 class vtkTable;
 
@@ -18,8 +19,9 @@ namespace vtkStyleHistory
 /// @param secondTerm  name of the column of the term beside the rigid one
 void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char* secondTerm);
 
-/// The warning for a loop that ended without meeting its stop rule.
-std::string NotConverged(const SphericalStyle::StyleReport& report);
+/// The warnings of an iteration: a loop that ended without meeting its stop rule, and solves of the
+/// global step that ended before their solution.
+std::vector<std::string> Remarks(const SphericalStyle::StyleReport& report);
 }
 
 #endif

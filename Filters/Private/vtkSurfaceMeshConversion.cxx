@@ -32,6 +32,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -815,6 +816,18 @@ vtkDataArray* FindPointArray(
   return attribute >= 0 ? arrays->GetAttribute(attribute) : nullptr;
 }
 
+Points GatherNormals(vtkInformation* wanted, vtkPolyData* input, const vtkSurfaceMesh& surface)
+{
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  Points normals = GatherPointArray(
+    wanted, input, surface, { "Normals", 3, -Infinity, Infinity, vtkDataSetAttributes::NORMALS });
+  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  {
+    normals.row(i) = normals.row(i).stableNormalized();
+  }
+  return normals;
+}
+
 Points GatherPointArray(
   vtkInformation* wanted, vtkPolyData* input, const vtkSurfaceMesh& surface, const ArrayRule& rule)
 {
@@ -884,6 +897,17 @@ void AddPointArray(
         const int from = surface.MeshPoint[i];
         return from >= 0 ? rows(from, k) : 0.0;
       }));
+}
+
+void AddRotations(
+  vtkPolyData* output, const vtkSurfaceMesh& surface, const SphericalStyle::Matrices& R)
+{
+  Rows rows(surface.Mesh.P.rows(), 9);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+  {
+    rows.row(i) = R[i].transpose().reshaped().transpose();
+  }
+  AddPointArray(output, surface, "Rotation", output->GetPoints()->GetDataType(), rows);
 }
 
 void AddDisplacement(vtkPolyData* output, vtkPolyData* input)

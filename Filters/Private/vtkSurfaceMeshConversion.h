@@ -6,7 +6,7 @@
 #define vtkSurfaceMeshConversion_h
 
 #include "TriangleMesh.h"
-#include "vtkType.h"     // for vtkIdType
+#include "vtkType.h" // for vtkIdType
 
 #include <array>
 #include <string>
@@ -133,12 +133,21 @@ vtkDataArray* FindPointArray(
 SphericalStyle::Points GatherPointArray(
   vtkInformation* wanted, vtkPolyData* input, const vtkSurfaceMesh& surface, const ArrayRule& rule);
 
+/// Point normals, of length 1 or 0: those of the array or, where none is named, the active ones; no
+/// rows where there are none. @throw see GatherPointArray
+SphericalStyle::Points GatherNormals(
+  vtkInformation* wanted, vtkPolyData* input, const vtkSurfaceMesh& surface);
+
 /// One row per mesh point to a point array of the output, zero where nothing moves.
 /// @throw std::range_error naming array and point of the first value that is not finite
 /// @param type  VTK_FLOAT or VTK_DOUBLE
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 void AddPointArray(
   vtkPolyData* output, const vtkSurfaceMesh& surface, const char* name, int type, const Rows& rows);
+
+/// The array Rotation, 9 components, row by row, in the number type of the output's points.
+void AddRotations(
+  vtkPolyData* output, const vtkSurfaceMesh& surface, const SphericalStyle::Matrices& R);
 
 /// The array Displacement: output minus input point, in the number type of the output's points.
 /// @throw std::range_error naming the first point whose displacement is not finite

@@ -4,6 +4,7 @@
 
 #include "SurfaceMeasures.h"
 #include "vtkFilterSupport.h"
+#include "vtkSurfaceMeshConversion.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -74,6 +75,14 @@ bool vtkTargetSphere::Encloses(
     angle += SphericalStyle::SolidAngle(mesh.P, mesh.F, f, point);
   }
   return std::abs(angle) > 2.0 * EIGEN_PI;
+}
+
+std::string vtkTargetSphere::OnCenter(const std::vector<int>& points, const vtkSurfaceMesh& surface)
+{
+  return "no direction from the center for " +
+    vtkFilterSupport::Count(static_cast<vtkIdType>(points.size()), "point") +
+    " on it, the first is point " + std::to_string(surface.FirstInputPoint(points.front())) +
+    "; the mean of the neighbors' directions is taken";
 }
 
 void vtkTargetSphere::WarnOfVolume(

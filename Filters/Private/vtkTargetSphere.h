@@ -8,10 +8,12 @@
 
 #include "TargetDirections.h" // for Sphere
 
+#include <string>
 #include <vector>
 
 class vtkAlgorithm;
 class vtkPolyData;
+struct vtkSurfaceMesh;
 
 namespace vtkTargetSphere
 {
@@ -23,6 +25,10 @@ void Fill(vtkPolyData* output, const std::vector<SphericalStyle::Sphere>& sphere
 /// 2 pi, half the full angle, in size. Holes so count as closed where they are narrow. The
 /// triangles must agree on their outside; which it is does not matter. O(m).
 bool Encloses(const SphericalStyle::TriangleMesh& mesh, const Eigen::Vector3d& point);
+
+/// The warning for points that have no direction from the center.
+/// @param points  of the mesh, at least one
+std::string OnCenter(const std::vector<int>& points, const vtkSurfaceMesh& surface);
 
 /// For RadiusMode EqualVolume: a warning where the mesh has no volume of its own, but for holes
 /// that change it by less than a hundredth. O(m). @param what  the mesh, in words

@@ -217,7 +217,6 @@ void CheckIteration(Checker& check, const char* secondTerm)
   check.About("stop rules");
   filter->SetStopRuleToFixedIterations();
   filter->SetMaximumNumberOfIterations(4);
-  filter->SetAcceleration(false);
   filter.Output();
   check(filter->GetNumberOfIterations() == 4 && filter.Warnings.empty(), "exactly 4 iterations");
   filter->SetStopRuleToConverged();

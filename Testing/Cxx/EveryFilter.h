@@ -9,6 +9,7 @@
 
 #include "vtkCubicStyleFilter.h"
 #include "vtkGaussMapFilter.h"
+#include "vtkNonlinearStyleFilter.h"
 #include "vtkNormalAnalogyFilter.h"
 #include "vtkSphereProjectionFilter.h"
 #include "vtkSurfaceDiagnostics.h"
@@ -87,20 +88,16 @@ inline std::vector<Subject> Subjects()
         f->SetSphericalWeightingToUniform();
         f->SetMaximumNumberOfIterations(5);
       }),
-    SubjectOf<Main>("vtkSphericalStyleFilter with Delaunay weights",
-      [](Main* f)
+    SubjectOf<vtkThesisStyleFilter>("vtkThesisStyleFilter with Delaunay weights",
+      [](vtkThesisStyleFilter* f)
       {
         SetUpEnergy(f);
         f->SetEdgeWeightingToIntrinsicDelaunay();
         f->SetInitialGuessToRest(); // or the weights do not matter
         f->SetDetailSize(0.03);
       }),
-    SubjectOf<Main>("vtkSphericalStyleFilter, nonlinear",
-      [](Main* f)
-      {
-        f->SetFeatureToNonlinear();
-        f->SetMaximumNumberOfIterations(5);
-      }),
+    SubjectOf<vtkNonlinearStyleFilter>("vtkNonlinearStyleFilter",
+      [](vtkNonlinearStyleFilter* f) { f->SetMaximumNumberOfIterations(5); }),
     ObserverOf<Main>("vtkSphericalStyleFilter with long edges split",
       [](Main* f)
       {

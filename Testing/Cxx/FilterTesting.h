@@ -6,7 +6,7 @@
 #ifndef FilterTesting_h
 #define FilterTesting_h
 
-#include "vtkSphericalStyleFilter.h"
+#include "vtkThesisStyleFilter.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -152,10 +152,12 @@ private:
   vtkNew<FilterType> Filter;
 };
 
-using WatchedFilter = Watched<vtkSphericalStyleFilter>;
+/// The main filter, with the choices of the class for study: with their defaults the two are one
+/// (TestThesisStyleFilter).
+using WatchedFilter = Watched<vtkThesisStyleFilter>;
 
 /// For tests of the energy and of the plain blend: nothing but the model and one sphere. With
-/// Uniform weights, FullEdge, InitialGuess Rest or FixedIterations the energy is minimised, with
+/// Uniform weights, FullEdge, InitialGuess Rest or FixedIterations the energy is minimized, with
 /// none of them the result is the closed form.
 inline void SetUpEnergy(vtkSphericalStyleFilter* filter)
 {
@@ -167,7 +169,7 @@ inline void SetUpEnergy(vtkSphericalStyleFilter* filter)
   filter->SetRefineLongEdgesToOff();
 }
 
-/// The same, with an energy that is minimised.
+/// The same, with an energy that is minimized.
 inline void SetUpUniform(vtkSphericalStyleFilter* filter)
 {
   SetUpEnergy(filter);

@@ -74,7 +74,7 @@ Surface WithSeamAndPart(vtkPolyData* surface)
   return Together({ parts[0], parts[1], Shifted(surface, { 0.9, 0.0, 0.0 }) });
 }
 
-using Main = vtkSphericalStyleFilter;
+using Main = vtkThesisStyleFilter;
 
 /// Arrays to choose from, none of them active.
 Surface WithArrays(vtkPolyData* surface)
@@ -283,9 +283,6 @@ void MethodsInTurn(Checker& check, vtkPolyData* input)
   CheckChanges<Main>(check, "methods in turn", input, begin,
     { { "the thesis", [](Main* f) { f->ReproduceThesisOn(); } },
       { "not the thesis", [](Main* f) { f->ReproduceThesisOff(); } },
-      { "nonlinear", [](Main* f) { f->SetFeatureToNonlinear(); } },
-      { "nonlinear, as written", [](Main* f) { f->SetCenterConstraintToAsWritten(); } },
-      { "linear", [](Main* f) { f->SetFeatureToLinear(); } },
       { "seams open", [](Main* f) { f->WeldCoincidentPointsOff(); } },
       { "parts apart", [](Main* f) { f->SetComponentCouplingToIndependent(); } },
       { "seams shut", [](Main* f) { f->WeldCoincidentPointsOn(); } },

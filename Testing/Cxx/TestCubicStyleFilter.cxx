@@ -22,7 +22,6 @@ void Properties(Checker& check)
   RoundTrip(MaximumNumberOfIterations, 500, 7);
   RoundTrip(NumberOfThreads, 0, 2);
   RoundTrip(OutputPointsPrecision, 2, 1);
-  OnOff(Acceleration, true);
   OnOff(GenerateNormals, false);
   Mode(StopRule, Converged, CONVERGED, 0);
   Mode(StopRule, Thesis, THESIS, 1);
@@ -91,9 +90,8 @@ int TestCubicStyleFilter(int argc, char* argv[])
   Checker check;
   Properties(check);
   CheckContract<FilterType>(check,
-    { "Cubeness", "StopRule", "Tolerance", "MaximumNumberOfIterations", "Acceleration",
-      "OutputPointsPrecision", "NumberOfThreads", "GenerateNormals", "NumberOfIterations",
-      "Converged", "FinalEnergy" });
+    { "Cubeness", "StopRule", "Tolerance", "MaximumNumberOfIterations", "OutputPointsPrecision",
+      "NumberOfThreads", "GenerateNormals", "NumberOfIterations", "Converged", "FinalEnergy" });
   CheckIteration<FilterType>(check, "Cubic");
   Creature(check, argc, argv);
   return check.Result();

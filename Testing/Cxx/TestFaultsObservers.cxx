@@ -55,10 +55,18 @@ void OtherProperties(vtkPolyDataAlgorithm* filter)
 {
   if (auto* main = vtkSphericalStyleFilter::SafeDownCast(filter))
   {
-    main->SetFeature(1 - main->GetFeature());
     main->SetGenerateRotation(!main->GetGenerateRotation());
-    main->SetGenerateCellEnergy(!main->GetGenerateCellEnergy());
-    main->SetGenerateAuxiliaryScale(!main->GetGenerateAuxiliaryScale());
+    main->SetReproduceThesis(!main->GetReproduceThesis());
+  }
+  if (auto* thesis = vtkThesisStyleFilter::SafeDownCast(filter))
+  {
+    thesis->SetGenerateCellEnergy(!thesis->GetGenerateCellEnergy());
+  }
+  if (auto* nonlinear = vtkNonlinearStyleFilter::SafeDownCast(filter))
+  {
+    nonlinear->SetGenerateRotation(!nonlinear->GetGenerateRotation());
+    nonlinear->SetGenerateCellEnergy(!nonlinear->GetGenerateCellEnergy());
+    nonlinear->SetGenerateAuxiliaryScale(!nonlinear->GetGenerateAuxiliaryScale());
   }
 }
 

@@ -27,7 +27,6 @@ void Properties(Checker& check)
   RoundTrip(MaximumNumberOfIterations, 200, 7);
   RoundTrip(NumberOfThreads, 0, 2);
   RoundTrip(OutputPointsPrecision, 2, 1);
-  OnOff(Acceleration, true);
   OnOff(GenerateTargetNormal, true);
   OnOff(GenerateNormals, false);
   Mode(Style, Tetrahedron, TETRAHEDRON, 0);
@@ -304,7 +303,7 @@ int TestNormalAnalogyFilter(int argc, char* argv[])
   Checker check;
   Properties(check);
   CheckContract<FilterType>(check,
-    { "Style", "Weight", "StopRule", "Tolerance", "MaximumNumberOfIterations", "Acceleration",
+    { "Style", "Weight", "StopRule", "Tolerance", "MaximumNumberOfIterations",
       "OutputPointsPrecision", "NumberOfThreads", "GenerateNormals", "GenerateTargetNormal",
       "NumberOfStyleNormals", "NumberOfIterations", "Converged", "FinalEnergy" });
   CheckIteration<FilterType>(check, "Analogy");

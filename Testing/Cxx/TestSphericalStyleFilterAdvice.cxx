@@ -153,9 +153,6 @@ void Advice(Checker& check)
   Expect(check, "after an error", filter, "");
   check(filter.Errors.size() == 1, "there should have been an error");
   filter->SetRoundness(0.5);
-  filter->SetFeatureToNonlinear();
-  Expect(check, "the nonlinear feature", filter, "");
-  filter->SetFeatureToLinear();
   filter->SetSphericalWeightingToCotangent();
   Expect(check, "followed", filter, "");
 

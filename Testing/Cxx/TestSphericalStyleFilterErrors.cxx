@@ -31,7 +31,7 @@ Surface MakeModel()
   return MakeEllipsoid({ 1.0, 0.8, 2.0 });
 }
 
-using Change = std::function<void(vtkSphericalStyleFilter*, vtkPolyData*)>;
+using Change = std::function<void(vtkThesisStyleFilter*, vtkPolyData*)>;
 
 /// Executes after `spoil`, expects one error with all `words`, then executes after `repair` and
 /// expects what a new filter gives.
@@ -242,14 +242,14 @@ void Ranges(Checker& check)
   ExpectError(
     check, "energies of a model so large that they have no number",
     { "CellEnergy at point 0", "beyond the range of double precision" },
-    [&](vtkSphericalStyleFilter* filter, vtkPolyData* input)
+    [&](vtkThesisStyleFilter* filter, vtkPolyData* input)
     {
       SetUpEnergy(filter);
       filter->SetSphericalWeightingToUniform();
       scale(input, 600);
       filter->GenerateCellEnergyOn();
     },
-    [&](vtkSphericalStyleFilter* filter, vtkPolyData* input)
+    [&](vtkThesisStyleFilter* filter, vtkPolyData* input)
     {
       scale(input, -600);
       filter->GenerateCellEnergyOff();

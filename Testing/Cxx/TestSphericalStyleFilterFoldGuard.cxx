@@ -14,7 +14,7 @@ constexpr int RoundnessArray = 1;
 constexpr int RegionArray = 4;
 constexpr int CenterIdArray = 5;
 
-using Change = std::function<void(vtkSphericalStyleFilter*)>;
+using Change = std::function<void(vtkThesisStyleFilter*)>;
 
 void SetUp(vtkSphericalStyleFilter* filter)
 {
@@ -120,7 +120,7 @@ void NothingIsLeft(Checker& check, int argc, char* argv[])
         return Vector{ 1.8 * x[0], x[1], 0.3 * x[2] };
       }),
     [](vtkSphericalStyleFilter*) {});
-  using F = vtkSphericalStyleFilter;
+  using F = vtkThesisStyleFilter;
   const std::pair<const char*, Change> settings[] = {
     { "as it is", [](F*) {} },
     { "region", [](F* f) { f->SetInputArrayToProcess(RegionArray, 0, 0, OfPoints, "region"); } },
@@ -364,14 +364,6 @@ void Refusals(Checker& check)
 {
   check.About("refusals");
   const Surface model = MakeEllipsoid({ 1.0, 0.7, 0.5 });
-  WatchedFilter nonlinear(model);
-  SetUp(nonlinear.Get());
-  nonlinear->SetFeatureToNonlinear();
-  nonlinear.Output();
-  check(nonlinear.Errors.size() == 1 &&
-      Contains(nonlinear.Errors.front(), "AvoidSelfIntersections works with Feature Linear only"),
-    "an error should name the property" + Joined(nonlinear.Errors));
-
   WatchedFilter thesis(model);
   SetUp(thesis.Get());
   thesis->ReproduceThesisOn();

@@ -791,12 +791,10 @@ void Executions(Checker& check)
 
 void Properties(Checker& check)
 {
-  WatchedFilter filter;
+  Watched<vtkSphericalStyleFilter> filter;
   check.About("properties");
   using FilterType = vtkSphericalStyleFilter;
   RoundTrip(Roundness, 1.0, 3.0);
-  RoundTrip(Feature, 0, 1);
-  RoundTrip(CenterConstraint, 0, 1);
   RoundTrip(NormalBlend, 0.6, 0.25);
   RoundTrip(NormalRadius, 0, 1);
   RoundTrip(KeepSize, 1, 3);
@@ -810,17 +808,11 @@ void Properties(Checker& check)
   RoundTrip(BorderWidth, 0.1, 0.3);
   RoundTrip(CenterBlendWidth, 0.02, 0.2);
   RoundTrip(SphericalWeighting, 1, 0);
-  RoundTrip(ConcaveEdges, 0, 2);
   OnOff(AvoidSelfIntersections, false);
   RoundTrip(EdgeWeighting, 0, 2);
   RoundTrip(StopRule, 0, 2);
   RoundTrip(Tolerance, 1e-4, 1e-6);
   RoundTrip(MaximumNumberOfIterations, 200, 3);
-  OnOff(Acceleration, true);
-  RoundTrip(Anchor, 0, 1);
-  RoundTrip(ComponentCoupling, 0, 1);
-  OnOff(WeldCoincidentPoints, true);
-  RoundTrip(InitialGuess, 0, 1);
   RoundTrip(RefineLongEdges, 1, 2);
   RoundTrip(MaximumEdgeLength, 0.04, 0.1);
   OnOff(ReproduceThesis, false);
@@ -829,9 +821,7 @@ void Properties(Checker& check)
   OnOff(GenerateTargetDirection, true);
   OnOff(GenerateDisplacement, true);
   OnOff(GenerateNormals, false);
-  OnOff(GenerateCellEnergy, false);
   OnOff(GenerateRotation, false);
-  OnOff(GenerateAuxiliaryScale, false);
 
   Clamped(NormalBlend, -0.5, 0.0);
   Clamped(NormalBlend, 1.5, 1.0);
@@ -849,15 +839,10 @@ void Properties(Checker& check)
   Clamped(KeepSize, 4, 3);
   Clamped(KeepSize, -1, 0);
   Clamped(UpAxis, 3, 2);
-  Clamped(InitialGuess, 2, 1);
   Clamped(RefineLongEdges, true, 1);
   Clamped(RefineLongEdges, 3, 2);
   Clamped(NumberOfThreads, -1, 0);
 
-  Mode(Feature, Linear, LINEAR, 0);
-  Mode(Feature, Nonlinear, NONLINEAR, 1);
-  Mode(CenterConstraint, Corrected, CORRECTED, 0);
-  Mode(CenterConstraint, AsWritten, AS_WRITTEN, 1);
   Mode(CenterMode, PointMean, POINT_MEAN, 0);
   Mode(CenterMode, AreaCentroid, AREA_CENTROID, 1);
   Mode(CenterMode, Custom, CUSTOM_CENTER, 2);
@@ -868,21 +853,12 @@ void Properties(Checker& check)
   Mode(SphereOf, Region, REGION, 1);
   Mode(SphericalWeighting, Uniform, UNIFORM, 0);
   Mode(SphericalWeighting, Cotangent, COTANGENT, 1);
-  Mode(ConcaveEdges, Keep, KEEP, 0);
-  Mode(ConcaveEdges, Flip, FLIP, 1);
-  Mode(ConcaveEdges, Zero, ZERO, 2);
   Mode(EdgeWeighting, HalfEdge, HALF_EDGE, 0);
   Mode(EdgeWeighting, FullEdge, FULL_EDGE, 1);
   Mode(EdgeWeighting, IntrinsicDelaunay, INTRINSIC_DELAUNAY, 2);
   Mode(StopRule, Converged, CONVERGED, 0);
   Mode(StopRule, Thesis, THESIS, 1);
   Mode(StopRule, FixedIterations, FIXED_ITERATIONS, 2);
-  Mode(Anchor, Centroid, CENTROID, 0);
-  Mode(Anchor, LastPoint, LAST_POINT, 1);
-  Mode(ComponentCoupling, Stitched, STITCHED, 0);
-  Mode(ComponentCoupling, Independent, INDEPENDENT, 1);
-  Mode(InitialGuess, Blend, BLEND, 0);
-  Mode(InitialGuess, Rest, REST, 1);
   Mode(NormalRadius, OwnThickness, OWN_THICKNESS, 0);
   Mode(NormalRadius, WholeModel, WHOLE_MODEL_RADIUS, 1);
   Mode(KeepSize, Off, NO_SIZE, 0);
@@ -907,14 +883,12 @@ void Properties(Checker& check)
   filter->Print(printed);
   for (const char* name :
     { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode", "Radius", "DetailSize",
-      "SphericalWeighting", "ConcaveEdges", "EdgeWeighting", "StopRule", "Tolerance",
-      "MaximumNumberOfIterations", "Acceleration", "Anchor", "ComponentCoupling",
-      "WeldCoincidentPoints", "InitialGuess", "NormalRadius", "KeepSize", "KeepOnGround", "UpAxis",
-      "RefineLongEdges", "MaximumEdgeLength", "ReproduceThesis", "OutputPointsPrecision",
-      "NumberOfThreads", "GenerateTargetDirection", "GenerateDisplacement", "GenerateNormals",
-      "GenerateCellEnergy", "GenerateRotation", "NumberOfIterations", "Converged", "FinalEnergy",
-      "EffectiveCenter", "EffectiveRadius", "AvoidSelfIntersections", "TurnedOverBefore",
-      "TurnedOverAfter", "NewIntersectionsBefore", "NewIntersectionsAfter" })
+      "SphericalWeighting", "EdgeWeighting", "StopRule", "Tolerance", "MaximumNumberOfIterations",
+      "NormalRadius", "KeepSize", "KeepOnGround", "UpAxis", "RefineLongEdges", "MaximumEdgeLength",
+      "ReproduceThesis", "OutputPointsPrecision", "NumberOfThreads", "GenerateTargetDirection",
+      "GenerateDisplacement", "GenerateNormals", "GenerateRotation", "NumberOfIterations",
+      "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius", "AvoidSelfIntersections",
+      "TurnedOverBefore", "TurnedOverAfter", "NewIntersectionsBefore", "NewIntersectionsAfter" })
   {
     check(Contains(printed.str(), std::string(" ") + name + ": "),
       std::string("PrintSelf should print ") + name);

@@ -9,7 +9,7 @@ using namespace FilterTesting;
 
 namespace
 {
-using Filter = vtkSphericalStyleFilter;
+using Filter = vtkThesisStyleFilter;
 using Change = std::function<void(Filter*)>;
 
 constexpr double Kept = 1e-6; // relative

@@ -51,8 +51,6 @@ void Output(Checker& check)
   check.AtMost(
     std::abs(Distance(PointOf(sphere, 0), { 0.0, 0.0, 0.0 }) - filter->GetEffectiveRadius()), 1e-12,
     "distance of the sphere in effect");
-  filter->SetFeatureToNonlinear();
-  check(filter.Output(2)->GetNumberOfPoints() == n, "should be there with Feature Nonlinear");
 
   check.About("third output of nothing");
   WatchedFilter empty(Surface::New());

@@ -8,10 +8,12 @@
 
 #include "vtkCubicStyleFilter.h"
 #include "vtkGaussMapFilter.h"
+#include "vtkNonlinearStyleFilter.h"
 #include "vtkNormalAnalogyFilter.h"
 #include "vtkSphereProjectionFilter.h"
 #include "vtkSurfaceDiagnostics.h"
 #include "vtkSurfaceMetrics.h"
+#include "vtkThesisStyleFilter.h"
 #ifdef SPHERICALSTYLE_WITH_CGAL
 #include "vtkConvexProxyDeformFilter.h"
 #endif
@@ -79,7 +81,6 @@ void SetLoop(Bytes& bytes, Filter* f)
   f->SetTolerance(tolerances[bytes.Below(5)]);
   f->SetStopRule(bytes.Below(Enough));
   f->SetMaximumNumberOfIterations(bytes.Below(7));
-  f->SetAcceleration(bytes.Flag());
   f->SetOutputPointsPrecision(bytes.Below(Enough));
   f->SetGenerateNormals(bytes.Flag());
   f->SetNumberOfThreads(1 + bytes.Below(2));
@@ -113,13 +114,11 @@ void SetArrays(Bytes& bytes, vtkAlgorithm* f, int last)
 
 Subject MakeSphericalStyle(Bytes& bytes)
 {
-  const auto f = vtkSmartPointer<vtkSphericalStyleFilter>::New();
+  const auto f = vtkSmartPointer<vtkThesisStyleFilter>::New();
   SetLoop(bytes, f.Get());
   SetSphere(bytes, f.Get());
   constexpr double roundness[] = { 1.0, 0.0, 0.1, 5.0, 50.0 };
   f->SetRoundness(bytes.Flag() ? bytes.Any() : roundness[bytes.Below(5)]);
-  f->SetFeature(bytes.Below(4) == 1);
-  f->SetCenterConstraint(bytes.Below(Enough));
   f->SetNormalBlend(bytes.Share());
   f->SetDetailSize(bytes.Flag() ? 0.2 * bytes.Share() : 0.0);
   f->SetSphereOf(bytes.Below(Enough));
@@ -127,6 +126,7 @@ Subject MakeSphericalStyle(Bytes& bytes)
   f->SetCenterBlendWidth(bytes.Share());
   f->SetSphericalWeighting(bytes.Below(2));
   f->SetConcaveEdges(bytes.Below(2));
+  f->SetAcceleration(bytes.Flag());
   f->SetEdgeWeighting(bytes.Below(2));
   f->SetAnchor(bytes.Below(2));
   f->SetComponentCoupling(bytes.Below(2));
@@ -152,7 +152,6 @@ Subject MakeSphericalStyle(Bytes& bytes)
   f->SetGenerateDisplacement(arrays & 2);
   f->SetGenerateCellEnergy(arrays & 4);
   f->SetGenerateRotation(arrays & 8);
-  f->SetGenerateAuxiliaryScale(arrays & 16);
   SetArrays(bytes, f, 5);
   const int ports = bytes.Below(16);
   if (ports == 1 || ports == 2)
@@ -165,6 +164,29 @@ Subject MakeSphericalStyle(Bytes& bytes)
   }
   return { f,
     f->GetRefineLongEdges() == vtkSphericalStyleFilter::NEVER || f->GetReproduceThesis() };
+}
+
+Subject MakeNonlinearStyle(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkNonlinearStyleFilter>::New();
+  SetLoop(bytes, f.Get());
+  constexpr double roundness[] = { 1.0, 0.0, 0.1, 5.0, 50.0 };
+  f->SetRoundness(bytes.Flag() ? bytes.Any() : roundness[bytes.Below(5)]);
+  f->SetCenterConstraint(bytes.Below(Enough));
+  f->SetCenterMode(bytes.Below(Enough));
+  if (bytes.Flag())
+  {
+    const double x = bytes.Any();
+    const double y = bytes.Any();
+    f->SetCenter(x, y, bytes.Any());
+  }
+  f->SetReproduceThesis(bytes.Below(8) == 1);
+  const int arrays = bytes.Byte();
+  f->SetGenerateCellEnergy(arrays & 1);
+  f->SetGenerateRotation(arrays & 2);
+  f->SetGenerateAuxiliaryScale(arrays & 4);
+  SetArrays(bytes, f, 1);
+  return { f };
 }
 
 Subject MakeCubicStyle(Bytes& bytes)
@@ -194,6 +216,7 @@ Subject MakeSphereProjection(Bytes& bytes)
   const auto f = vtkSmartPointer<vtkSphereProjectionFilter>::New();
   SetSphere(bytes, f.Get());
   f->SetCoefficient(bytes.Share());
+  f->SetNumberOfThreads(1 + bytes.Below(2));
   f->SetOutputPointsPrecision(bytes.Below(Enough));
   f->SetGenerateNormals(bytes.Flag());
   return { f };
@@ -306,6 +329,8 @@ Subject SubjectFromBytes(Bytes& bytes)
       return MakeMetrics(bytes);
     case 5:
       return MakeDiagnostics(bytes);
+    case 10:
+      return MakeNonlinearStyle(bytes);
 #ifdef SPHERICALSTYLE_WITH_CGAL
     case 6:
     case 7:

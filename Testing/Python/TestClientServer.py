@@ -19,8 +19,8 @@ PORT, PROCESSES = map(int, sys.argv[3:5])
 
 # What is asked of each filter.
 RUNS = {
-    "Spherical Style": ("SphericalStyle", {"Roundness": 1.0, "SphericalWeighting": "Uniform", "GenerateCellEnergy": 1,
-                                           "GenerateRotation": 1}),
+    "Spherical Style": ("SphericalStyle", {"Roundness": 1.0, "SphericalWeighting": "Uniform", "GenerateRotation": 1}),
+    "Nonlinear Style": ("NonlinearStyle", {"GenerateCellEnergy": 1, "GenerateAuxiliaryScale": 1}),
     "details kept": ("SphericalStyle", {"Roundness": 1.0, "DetailSize": 0.03, "CenterMode": "Custom",
                                         "Center": [0.0, 0.6, 0.1], "KeepOnGround": 1}),
     "blown up": ("SphericalStyle", {"Roundness": 5.0, "NormalBlend": 1.0, "NormalRadius": "Whole Model",

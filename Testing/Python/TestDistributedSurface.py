@@ -254,8 +254,10 @@ def check_one_surface():
     check_spread("some processes empty", Style, creature, in_slices(creature, 2) * (RANKS - 1))
     check_spread("all on the last process", Style, creature, last, exact=True)
     check_spread("all on the first process", Style, creature, first, exact=True)
-    check_spread("all kinds of arrays", Style, small, in_slices(small), ghost_levels=1, NormalBlend=0.3,
+    check_spread("all kinds of arrays", sphericalstyle.vtkThesisStyleFilter, small, in_slices(small), ghost_levels=1, NormalBlend=0.3,
                  GenerateCellEnergy=True, GenerateRotation=True, GenerateNormals=True, **ITERATES)
+    check_spread("another filter: nonlinear", sphericalstyle.vtkNonlinearStyleFilter, small, in_slices(small),
+                 exact=True, global_ids=True, MaximumNumberOfIterations=5)
     # Its energy is flat between two axes, and rounding grows there; with ids there is none.
     check_spread("another filter: cubic", sphericalstyle.vtkCubicStyleFilter, small, in_slices(small),
                  exact=True, global_ids=True)
@@ -282,7 +284,7 @@ def check_seams():
     seamed.SetPoints(both)
     seamed.SetPolys(cells)
     for weld in (True, False):  # which copy of a point is which only ids can tell
-        _, alone = check_spread(f"a seam, welded: {weld}", Style, seamed, in_slices(seamed), exact=not weld,
+        _, alone = check_spread(f"a seam, welded: {weld}", sphericalstyle.vtkThesisStyleFilter, seamed, in_slices(seamed), exact=not weld,
                                 global_ids=not weld, WeldCoincidentPoints=weld, SphericalWeighting=Style.UNIFORM,
                                 DetailSize=0.0)  # details would ride on one base
         moved = coordinates(alone.output)

@@ -44,14 +44,14 @@ assert style.GetXMLName() == "SphericalStyleFilter" and style.Input == model
 assert GetRepresentation(style, view).Visibility == 1 and GetRepresentation(model, view).Visibility == 0
 shapes = set()
 for name, preset in presets.PRESETS.items():
-    style.Center, style.ReproduceThesis, style.Feature = [0.1, 0.2, 0.3], 1, "Nonlinear"
+    style.Center, style.ReproduceThesis = [0.1, 0.2, 0.3], 1
     style.SphericalWeighting = "Uniform"
     run(name)
     assert len(GetSources()) == 2 and GetActiveSource() == style  # the same filter, set anew
     for property_, value in preset.properties.items():
         words = re.sub("(?<=[a-z])(?=[A-Z])", " ", value) if isinstance(value, str) else value
         assert getattr(style, property_) == words, (name, property_, getattr(style, property_))
-    assert style.Feature == "Linear" and not style.ReproduceThesis and list(style.Center) == [0.1, 0.2, 0.3]
+    assert not style.ReproduceThesis and list(style.Center) == [0.1, 0.2, 0.3]
     shapes.add(ProxyTesting.bounds(style))
 assert len(shapes) == len(presets.PRESETS)
 try:

@@ -60,12 +60,12 @@ rounded.CenterMode = "Custom"
 rounded.Center = [0.0, 0.0, 0.1]
 rounded.RadiusMode = "Custom"
 rounded.Radius = 0.7
-rounded.GenerateCellEnergy = 1
+rounded.GenerateRotation = 1
 rounded.SphericalWeighting = "Uniform"  # iterates
 UpdatePipeline(proxy=rounded)
 assert bounds(rounded)[5] < default_height < bounds(long_sphere)[5]
 filter_ = rounded.SMProxy.GetClientSideObject()
-assert filter_.GetRoundness() == 2.0 and filter_.GetGenerateCellEnergy()
+assert filter_.GetRoundness() == 2.0 and filter_.GetGenerateRotation()
 assert filter_.GetCenter() == (0.0, 0.0, 0.1) and filter_.GetRadius() == 0.7
 information = rounded.GetDataInformation()
 assert information.GetNumberOfPoints() == long_sphere.GetDataInformation().GetNumberOfPoints()
@@ -131,19 +131,6 @@ for value, splits in (("Automatic", False), ("On", True)):
     UpdatePipeline(proxy=fine)
     count = fine.GetDataInformation().GetNumberOfPoints()
     assert (count > long_sphere.GetDataInformation().GetNumberOfPoints()) == splits, (value, count)
-
-# ------------------------------------------------------------------------------- nonlinear feature
-nonlinear = SphericalStyle(Input=long_sphere)
-assert nonlinear.Feature == "Linear" and nonlinear.CenterConstraint == "Corrected"
-nonlinear.Feature = "Nonlinear"
-nonlinear.GenerateAuxiliaryScale = 1
-UpdatePipeline(proxy=nonlinear)
-assert nonlinear.PointData.GetArray("AuxiliaryScale").GetRange()[0] > 0.0
-assert nonlinear.PointData.GetArray("TargetDirection") is None
-nonlinear.CenterConstraint = "As Written"
-UpdatePipeline(proxy=nonlinear)
-assert servermanager.Fetch(nonlinear, idx=1).GetFieldData().GetAbstractArray(
-    "LinearSolver").GetValue(0) == "Eigen SparseLU"
 
 # -------------------------------------------------------------- what Apply would open for the table
 controller = vtkSMParaViewPipelineControllerWithRendering()

@@ -13,7 +13,7 @@ from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkReverseSense
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
 
-from sphericalstyle import vtkSphericalStyleFilter, vtkSurfaceMetrics
+from sphericalstyle import vtkSurfaceMetrics, vtkThesisStyleFilter
 
 from ModelTesting import ENERGY, check, main, read
 
@@ -28,7 +28,7 @@ def execute(filter_, surface, **properties):
 
 def style(surface, **properties):
     """Rounded by the energy, with weights and center of the thesis."""
-    return execute(vtkSphericalStyleFilter(), surface, **{
+    return execute(vtkThesisStyleFilter(), surface, **{
         **ENERGY, "OutputPointsPrecision": 1, "CenterMode": 0, **properties}).GetOutput()
 
 

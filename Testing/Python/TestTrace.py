@@ -45,7 +45,7 @@ def traced(filter_name, properties):
 CASES = {
     "SphericalStyle": [
         {"Roundness": 2.5, "DetailSize": 0.02, "NormalBlend": 0.25, "CenterMode": "Custom", "Center": [0.0, 0.4, 0.1]},
-        {"Roundness": 5.0, "CenterIdArray": ["POINTS", "CenterId"], "ComponentCoupling": "Independent"},
+        {"Roundness": 5.0, "CenterIdArray": ["POINTS", "CenterId"], "EdgeWeighting": "Full Edge"},
     ],
     "ConvexProxyDeform": [{"Blend": 0.3, "Transfer": "Offset"}],
     "CubicStyle": [{}],

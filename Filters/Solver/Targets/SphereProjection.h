@@ -15,9 +15,11 @@ namespace SphericalStyle
 double OuterRadius(const Points& P, const Eigen::Vector3d& center);
 
 /// @param s  0: the points to the last bit, 1: points of the sphere
+/// @param threads  the result has the same bits for any number
 /// @param onCenter  points within 1e-12 of the farthest distance from O, which no ray goes through:
 ///        they stay
-Points ProjectToSphere(const Points& P, const Sphere& sphere, double s, std::vector<int>& onCenter);
+Points ProjectToSphere(
+  const Points& P, const Sphere& sphere, double s, int threads, std::vector<int>& onCenter);
 } // namespace SphericalStyle
 
 #endif

@@ -27,7 +27,7 @@ void TestDistances()
         for (const double s : { 0.0, 0.3, 0.5, 1.0 })
         {
           std::vector<int> onCenter = { 1 };
-          const Points Q = ProjectToSphere(P, { center, radius }, s, onCenter);
+          const Points Q = ProjectToSphere(P, { center, radius }, s, 1, onCenter);
           CHECK(onCenter.empty(), named.name << ": no point lies on the center");
           for (Eigen::Index i = 0; i < P.rows(); ++i)
           {
@@ -54,14 +54,14 @@ void TestPointsOnCenter()
   P << 1, 0, 0, 0.5, 0.25, 2, 0, 1, 0, 0.5, 0.25, 2;
   const Sphere sphere = { Vector3d(0.5, 0.25, 2), 3.0 };
   std::vector<int> onCenter;
-  const Points Q = ProjectToSphere(P, sphere, 1.0, onCenter);
+  const Points Q = ProjectToSphere(P, sphere, 1.0, 1, onCenter);
   CHECK((onCenter == std::vector<int>{ 1, 3 }), "points 1 and 3 lie on the center");
   CHECK(Q.row(1) == P.row(1) && Q.row(3) == P.row(3), "they should stay");
   CHECK_NEAR((Q.row(0) - sphere.center.transpose()).norm(), 3.0, 1e-15, "the others move");
 
   const Points same = RowVector3d(1e5, 2, 3).replicate(3, 1);
   CHECK(OuterRadius(same, Vector3d(1e5, 2, 3)) == 0.0, "the outer radius of one place is 0");
-  CHECK(ProjectToSphere(same, { Vector3d(1e5, 2, 3), 0.0 }, 0.5, onCenter) == same &&
+  CHECK(ProjectToSphere(same, { Vector3d(1e5, 2, 3), 0.0 }, 0.5, 1, onCenter) == same &&
       onCenter.size() == 3,
     "points at one place are all on their mean and stay");
   CHECK(OuterRadius(Points(0, 3), Vector3d::Zero()) == 0.0, "no points, no radius");

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Feature Nonlinear: what of the filter applies to it and what does not, its history, its arrays,
-/// and the failure of the form as written.
+/// Properties, history and arrays of the nonlinear feature, and its failure in the form as written.
 #include "FilterTesting.h"
+#include "PropertyTesting.h"
+
+#include "vtkNonlinearStyleFilter.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkReverseSense.h"
@@ -10,31 +12,31 @@
 
 #include <cmath>
 #include <functional>
+#include <sstream>
 
 using namespace FilterTesting;
 
 namespace
 {
-using Change = std::function<void(vtkSphericalStyleFilter*)>;
+using F = vtkNonlinearStyleFilter;
+using Nonlinear = Watched<F>;
+using Change = std::function<void(F*)>;
 
 constexpr int Normals = 0;
 constexpr int RoundnessFactor = 1;
-constexpr int CenterId = 5;
 
-vtkDataArray* Column(WatchedFilter& filter, const char* name)
+vtkDataArray* Column(Nonlinear& filter, const char* name)
 {
   auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
   return vtkArrayDownCast<vtkDataArray>(table->GetColumnByName(name));
 }
 
-void SetUp(WatchedFilter& filter, double roundness, int iterations)
+void SetUp(Nonlinear& filter, double roundness, int iterations)
 {
-  filter->SetFeatureToNonlinear();
   filter->SetCenterModeToPointMean(); // the thesis' center
   filter->SetRoundness(roundness);
   filter->SetStopRuleToFixedIterations();
   filter->SetMaximumNumberOfIterations(iterations);
-  filter->AccelerationOff();
 }
 
 /// Columns that belong together, and how often each of them rises by more than rounding.
@@ -45,7 +47,7 @@ struct Counts
   int localSteps = 0;
 };
 
-Counts CheckHistory(Checker& check, WatchedFilter& filter)
+Counts CheckHistory(Checker& check, Nonlinear& filter)
 {
   Counts rises;
   vtkDataArray* total = Column(filter, "Total");
@@ -69,7 +71,7 @@ void Corrected(Checker& check, vtkPolyData* model, const char* name)
   for (const double roundness : { 0.1, 1.0, 5.0 })
   {
     check.About(std::string("corrected, ") + name + ", " + vtkVariant(roundness).ToString());
-    WatchedFilter filter(model);
+    Nonlinear filter(model);
     SetUp(filter, roundness, 30);
     filter->GenerateAuxiliaryScaleOn();
     filter->GenerateCellEnergyOn();
@@ -114,7 +116,7 @@ void Corrected(Checker& check, vtkPolyData* model, const char* name)
 void AsWritten(Checker& check, vtkPolyData* stone, vtkPolyData* house)
 {
   check.About("as written, go stone");
-  WatchedFilter filter(stone);
+  Nonlinear filter(stone);
   SetUp(filter, 0.1, 30);
   filter->SetCenterConstraintToAsWritten();
   filter.Output();
@@ -133,13 +135,11 @@ void AsWritten(Checker& check, vtkPolyData* stone, vtkPolyData* house)
       Contains(filter.Warnings[0], "AsWritten"),
     "one warning should count the steps");
 
-  check.About("ReproduceThesis with Feature Nonlinear");
-  WatchedFilter thesis(stone);
-  thesis->SetFeatureToNonlinear();
+  check.About("ReproduceThesis");
+  Nonlinear thesis(stone);
   thesis->ReproduceThesisOn();
   thesis->SetCenterModeToAreaCentroid(); // overridden
-  WatchedFilter byHand(stone);
-  byHand->SetFeatureToNonlinear();
+  Nonlinear byHand(stone);
   byHand->SetCenterConstraintToAsWritten();
   byHand->SetStopRuleToThesis();
   check(SamePoints(thesis.Output(), byHand.Output()) && thesis->GetConverged(),
@@ -152,12 +152,12 @@ void AsWritten(Checker& check, vtkPolyData* stone, vtkPolyData* house)
 /// What the documentation says of each property.
 void Properties(Checker& check, vtkPolyData* model)
 {
-  check.About("properties of Feature Nonlinear");
-  WatchedFilter plain(model);
+  check.About("properties");
+  Nonlinear plain(model);
   SetUp(plain, 0.5, 5);
   const auto same = [&](const Change& change)
   {
-    WatchedFilter filter(model);
+    Nonlinear filter(model);
     SetUp(filter, 0.5, 5);
     change(filter.Get());
     const bool result = SamePoints(filter.Output(), plain.Output());
@@ -165,30 +165,8 @@ void Properties(Checker& check, vtkPolyData* model)
     return result;
   };
   plain.Output();
-  using F = vtkSphericalStyleFilter;
-  const std::pair<const char*, Change> ignored[] = {
-    { "NormalBlend", [](F* f) { f->SetNormalBlend(0.7); } },
-    { "DetailSize", [](F* f) { f->SetDetailSize(0.05); } },
-    { "RadiusMode", [](F* f) { f->SetRadiusModeToEqualVolume(); } },
-    { "SphericalWeighting", [](F* f) { f->SetSphericalWeightingToCotangent(); } },
-    { "ConcaveEdges", [](F* f) { f->SetConcaveEdgesToFlip(); } },
-    { "EdgeWeighting", [](F* f) { f->SetEdgeWeightingToFullEdge(); } },
-    { "Anchor", [](F* f) { f->SetAnchorToLastPoint(); } },
-    { "ComponentCoupling", [](F* f) { f->SetComponentCouplingToIndependent(); } },
-    { "InitialGuess", [](F* f) { f->SetInitialGuessToRest(); } },
-    { "NormalRadius", [](F* f) { f->SetNormalRadiusToWholeModel(); } },
-    { "KeepSize", [](F* f) { f->SetKeepSizeToVolume(); } },
-    { "KeepOnGround", [](F* f) { f->KeepOnGroundOn(); } },
-    { "UpAxis", [](F* f) { f->SetUpAxisToZ(); } },
-    { "RefineLongEdges", [](F* f) { f->SetRefineLongEdgesToAutomatic(); } },
-    { "NumberOfThreads", [](F* f) { f->SetNumberOfThreads(3); } },
-  };
-  for (const auto& [name, change] : ignored)
-  {
-    check(same(change), std::string(name) + " should not matter");
-  }
+  check(same([](F* f) { f->SetNumberOfThreads(3); }), "NumberOfThreads should not matter");
   const std::pair<const char*, Change> used[] = {
-    { "Feature", [](F* f) { f->SetFeatureToLinear(); } },
     { "Roundness", [](F* f) { f->SetRoundness(0.6); } },
     { "CenterMode",
       [](F* f)
@@ -198,7 +176,6 @@ void Properties(Checker& check, vtkPolyData* model)
       } },
     { "CenterConstraint", [](F* f) { f->SetCenterConstraintToAsWritten(); } },
     { "MaximumNumberOfIterations", [](F* f) { f->SetMaximumNumberOfIterations(6); } },
-    { "Acceleration", [](F* f) { f->AccelerationOn(); } },
     { "StopRule",
       [](F* f)
       {
@@ -214,17 +191,45 @@ void Properties(Checker& check, vtkPolyData* model)
     check(!same(change), std::string(name) + " should matter");
   }
 
-  check.About("there and back");
-  WatchedFilter linear(model);
-  WatchedFilter filter(model);
-  filter->SetFeatureToNonlinear();
-  const auto nonlinear = Surface::New();
-  nonlinear->DeepCopy(filter.Output());
-  filter->SetFeatureToLinear();
-  check(SamePoints(filter.Output(), linear.Output()), "Linear should be what it always was");
-  filter->SetFeatureToNonlinear();
-  check(SamePoints(filter.Output(), nonlinear), "Nonlinear again should give the same bits");
+  check.About("defaults");
+  Nonlinear filter(model);
+  filter.Output();
   check(filter->GetConverged(), "it should converge with the defaults");
+}
+
+void PropertiesOfTheClass(Checker& check)
+{
+  check.About("get and set");
+  Nonlinear filter;
+  using FilterType = F;
+  RoundTrip(Roundness, 1.0, 3.0);
+  RoundTrip(CenterConstraint, 0, 1);
+  RoundTrip(CenterMode, 1, 2);
+  RoundTrip(StopRule, 0, 2);
+  RoundTrip(Tolerance, 1e-4, 1e-6);
+  RoundTrip(MaximumNumberOfIterations, 200, 3);
+  OnOff(ReproduceThesis, false);
+  OnOff(GenerateNormals, false);
+  OnOff(GenerateCellEnergy, false);
+  OnOff(GenerateRotation, false);
+  OnOff(GenerateAuxiliaryScale, false);
+  Clamped(CenterConstraint, 2, 1);
+  Mode(CenterConstraint, Corrected, CORRECTED, 0);
+  Mode(CenterConstraint, AsWritten, AS_WRITTEN, 1);
+  Mode(CenterMode, PointMean, POINT_MEAN, 0);
+  Mode(CenterMode, AreaCentroid, AREA_CENTROID, 1);
+  Mode(CenterMode, Custom, CUSTOM_CENTER, 2);
+  std::ostringstream printed;
+  filter->Print(printed);
+  for (const char* name :
+    { "Roundness", "CenterConstraint", "CenterMode", "Center", "StopRule", "Tolerance",
+      "MaximumNumberOfIterations", "ReproduceThesis", "OutputPointsPrecision", "NumberOfThreads",
+      "GenerateNormals", "GenerateCellEnergy", "GenerateRotation", "GenerateAuxiliaryScale",
+      "NumberOfIterations", "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius" })
+  {
+    check(Contains(printed.str(), std::string(" ") + name + ": "),
+      std::string("PrintSelf should print ") + name);
+  }
 }
 
 void Errors(Checker& check, vtkPolyData* model)
@@ -233,8 +238,7 @@ void Errors(Checker& check, vtkPolyData* model)
                        const std::vector<std::string>& words)
   {
     check.About(about);
-    WatchedFilter filter(input);
-    filter->SetFeatureToNonlinear();
+    Nonlinear filter(input);
     change(filter.Get());
     check(filter.Output()->GetNumberOfPoints() == 0, "the output should be empty");
     if (check(filter.Errors.size() == 1, "there should be one error"))
@@ -245,7 +249,6 @@ void Errors(Checker& check, vtkPolyData* model)
       }
     }
   };
-  using F = vtkSphericalStyleFilter;
   // The last point has 700 neighbours, each with a dense row.
   const Surface fan = MakeEllipsoid({ 1.0, 1.0, 0.5 }, Faces::Triangles, 700, 3);
   fails("as written, dense rows", fan, [](F* f) { f->SetCenterConstraintToAsWritten(); },
@@ -253,24 +256,20 @@ void Errors(Checker& check, vtkPolyData* model)
   fails("no such normals", model,
     [](F* f) { f->SetInputArrayToProcess(Normals, 0, 0, OfPoints, "mine"); },
     { "ormals", "\"mine\"" });
-  fails("several centers", model,
-    [](F* f) { f->SetInputArrayToProcess(CenterId, 0, 0, OfPoints, "id"); },
-    { "Nonlinear", "several centers" });
   fails("bad roundness", model, [](F* f) { f->SetRoundness(-1.0); }, { "Roundness" });
 
   check.About("faces turned inward");
   vtkNew<vtkReverseSense> reverse;
   reverse->SetInputData(model);
   reverse->Update();
-  WatchedFilter inward(reverse->GetOutput());
+  Nonlinear inward(reverse->GetOutput());
   SetUp(inward, 0.1, 5);
   check(AllFinite(inward.Output()->GetPoints()->GetData()), "points should be finite");
   check(inward.Warnings.size() == 1 && Contains(inward.Warnings[0], "normal"),
     "one warning should name the normals");
 
   check.About("no triangle");
-  WatchedFilter bare(MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 } }, {}));
-  bare->SetFeatureToNonlinear();
+  Nonlinear bare(MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 } }, {}));
   bare->GenerateAuxiliaryScaleOn();
   bare->GenerateRotationOn();
   bare->GenerateCellEnergyOn();
@@ -279,7 +278,7 @@ void Errors(Checker& check, vtkPolyData* model)
     "the input should come out, with one warning");
 }
 
-/// The model with normals that lean over, factors and ids.
+/// The model with normals that lean over, and factors.
 Surface WithArrays(vtkPolyData* model)
 {
   auto copy = Surface::New();
@@ -298,12 +297,11 @@ Surface WithArrays(vtkPolyData* model)
   };
   add("tilted", 3, [&](int i) { return PointOf(model, i / 3)[i % 3] + (i % 3 == 0 ? 0.4 : 0.0); });
   add("factor", 1, [](int i) { return i % 2 == 0 ? 1.0 : 0.3; });
-  add("id", 1, [](int i) { return i % 2; });
   return copy;
 }
 }
 
-int TestSphericalStyleFilterNonlinear(int argc, char* argv[])
+int TestNonlinearStyleFilter(int argc, char* argv[])
 {
   const Surface stone = ReadModel(argc, argv, "go-stone.vtp");
   const Surface house = ReadModel(argc, argv, "stone-house.vtp");
@@ -314,5 +312,6 @@ int TestSphericalStyleFilterNonlinear(int argc, char* argv[])
   const Surface model = WithArrays(MakeEllipsoid({ 1.0, 0.8, 2.0 }));
   Properties(check, model);
   Errors(check, model);
+  PropertiesOfTheClass(check);
   return check.Result();
 }
