@@ -3,12 +3,14 @@
 //
 // What this machine can do at most, to hold the stages against: bytes read a second from memory,
 // bytes read and written (a = b + s c, as STREAM's triad counts them), and floating-point
-// operations a second in registers, with the widest instructions that the processor has.
+// operations a second in registers, with the widest instructions that the processor has. And what a
+// loop costs that has next to nothing to do.
 #include "Parallel.h"
 #include "Stages.h"
 
 #include <cstdlib>
 #include <numeric>
+#include <vector>
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
@@ -18,6 +20,7 @@ namespace Benchmarks
 namespace
 {
 using SphericalStyle::ParallelFor;
+using SphericalStyle::ParallelTasks;
 
 constexpr std::size_t HugePage = std::size_t(1) << 21;
 constexpr int Doubles = 1 << 26; // 512 MB: more than any cache
@@ -187,6 +190,45 @@ void Arithmetic(benchmark::State& state, int threads)
   state.SetLabel(std::to_string(64 * kernel.width) + "-bit vectors");
 }
 
+/// x = a x + b on so few numbers that they stay in the cache: little more than the loop itself.
+void ShortLoop(benchmark::State& state, int threads)
+{
+  constexpr int count = 8192;
+  std::vector<double> x(count, 1.0);
+  for (auto _ : state)
+  {
+    ParallelFor(count, threads,
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          x[i] = 0.999 * x[i] + 0.001;
+        }
+      });
+    benchmark::ClobberMemory();
+  }
+}
+
+/// The same in small tasks.
+void ShortTasks(benchmark::State& state, int threads)
+{
+  constexpr int tasks = 64;
+  constexpr int count = 512;
+  std::vector<double> x(tasks * count, 1.0);
+  for (auto _ : state)
+  {
+    ParallelTasks(tasks, threads,
+      [&](int task)
+      {
+        for (int i = task * count; i < (task + 1) * count; ++i)
+        {
+          x[i] = 0.999 * x[i] + 0.001;
+        }
+      });
+    benchmark::ClobberMemory();
+  }
+}
+
 template <typename Body>
 void Register(const std::string& name, int threads, Body body)
 {
@@ -201,5 +243,7 @@ void RegisterLimits(int threads)
   Register("ReadHugePages", threads, [=](benchmark::State& state) { Read(state, threads, true); });
   Register("Triad", threads, [=](benchmark::State& state) { Triad(state, threads); });
   Register("Arithmetic", threads, [=](benchmark::State& state) { Arithmetic(state, threads); });
+  Register("ShortLoop", threads, [=](benchmark::State& state) { ShortLoop(state, threads); });
+  Register("ShortTasks", threads, [=](benchmark::State& state) { ShortTasks(state, threads); });
 }
 } // namespace Benchmarks
