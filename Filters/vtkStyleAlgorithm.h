@@ -32,8 +32,9 @@ public:
 
   ///@{
   /**
-   * Threads to compute with; 0 (default) takes VTK_SMP_MAX_THREADS or else all cores. The result
-   * has the same bits for any number.
+   * Threads to compute with; 0 (default) takes what vtkSMPTools was given, or else
+   * VTK_SMP_MAX_THREADS, or else all cores that the process may run on, with MPI its share of those
+   * of the machine. The result has the same bits for any number.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFilterSupport.h"
 
+#include "Parallel.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCompositeDataIterator.h"
@@ -16,16 +18,15 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkVersion.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <new>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 
 namespace
 {
@@ -261,10 +262,16 @@ int ThreadsToUse(int wanted)
   {
     return wanted;
   }
+  // What was asked for, whatever the backend makes of it: the one that Debian's has is sequential.
+  const int ofProgram =
+    vtkSMPTools::Config(vtk::detail::smp::vtkSMPToolsAPI::GetInstance()).MaxNumberOfThreads;
+  if (ofProgram > 0)
+  {
+    return ofProgram;
+  }
   const char* limit = std::getenv("VTK_SMP_MAX_THREADS");
-  const int fromEnvironment = limit ? std::atoi(limit) : 0;
-  return fromEnvironment > 0 ? fromEnvironment
-                             : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const int ofEnvironment = limit ? std::atoi(limit) : 0;
+  return ofEnvironment > 0 ? ofEnvironment : SphericalStyle::ThreadsOfThisProcess();
 }
 
 bool Aborted(vtkAlgorithm* self)

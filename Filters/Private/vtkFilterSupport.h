@@ -65,7 +65,8 @@ void AddCount(vtkFieldData* data, const char* name, int count);
 /// Adds the array StageSeconds, one component per stage.
 void AddStageSeconds(vtkFieldData* data, const std::vector<std::pair<const char*, double>>& stages);
 
-/// @param wanted  0: VTK_SMP_MAX_THREADS or else all cores
+/// @param wanted  0: the number that vtkSMPTools::Initialize or LocalScope was given, or else
+///        VTK_SMP_MAX_THREADS, or else all cores that this process may count as its own
 int ThreadsToUse(int wanted);
 
 /// Whether somebody asked the running filter to end. Asks the pipeline, so not from threads.

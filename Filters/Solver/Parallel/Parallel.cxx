@@ -5,6 +5,12 @@
 #include "Workers.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <thread>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 namespace SphericalStyle
 {
@@ -44,6 +50,31 @@ void ParallelFor(int n, int threads, const std::function<void(int, int)>& body)
 void ParallelTasks(int count, int threads, const std::function<void(int)>& body)
 {
   RunOnWorkers(count, threads, body);
+}
+
+int ThreadsOfThisProcess()
+{
+  const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  int allowed = machine;
+#ifdef __linux__
+  cpu_set_t cores;
+  if (sched_getaffinity(0, sizeof(cores), &cores) == 0)
+  {
+    allowed = std::clamp(CPU_COUNT(&cores), 1, machine);
+  }
+#endif
+  // Set by Open MPI; by MPICH and Intel MPI; by MVAPICH.
+  for (const char* name :
+    { "OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS", "MV2_COMM_WORLD_LOCAL_SIZE" })
+  {
+    const char* text = std::getenv(name);
+    const int processes = text ? std::atoi(text) : 0;
+    if (processes > 0)
+    {
+      return std::clamp(machine / processes, 1, allowed);
+    }
+  }
+  return allowed;
 }
 
 int NumberOfBlocks(int n)

@@ -14,6 +14,13 @@
 
 namespace SphericalStyle
 {
+/// How many threads this process takes where nobody says: as many as it may run on (taskset,
+/// containers and MPI's binding set that), and with several processes of MPI on this machine no
+/// more than its share of the cores. The launcher tells how many they are (Open MPI, MPICH, Intel
+/// MPI, MVAPICH). Where a container has only a part of the machine and processes in it are not
+/// bound to cores, set the number of threads.
+int ThreadsOfThisProcess();
+
 /// Calls body(begin, end) on disjoint ranges that cover 0..n.
 void ParallelFor(int n, int threads, const std::function<void(int, int)>& body);
 

@@ -1,19 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Loops on threads: every item once, the same sums for any number of threads, what a body throws
-/// comes out where the loop was called, and nobody waits for a thread that is busy elsewhere.
+/// comes out where the loop was called, nobody waits for a thread that is busy elsewhere, and
+/// several processes share the cores.
 #include "Check.h"
 #include "Parallel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include <sched.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -193,20 +197,73 @@ void WaitsForNobody()
   other.join();
 }
 
+/// @return whether the check holds in a child, and all that it checks itself
+bool HoldsInChild(const std::function<bool()>& check)
+{
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    alarm(60); // ends it if it hangs
+    const int failures = Check::Failures;
+    const bool holds = check();
+    std::exit(holds && Check::Failures == failures ? EXIT_SUCCESS : EXIT_FAILURE);
+  }
+  int status = -1;
+  return waitpid(child, &status, 0) == child && WIFEXITED(status) &&
+    WEXITSTATUS(status) == EXIT_SUCCESS;
+}
+
 /// A child has none of its parent's threads, and must neither miss them nor wait for them at exit.
 void WorksAfterFork()
 {
   constexpr int n = 80000;
   const long long expected = NestedSum(n, 4);
-  const pid_t child = fork();
-  if (child == 0)
+  CHECK(HoldsInChild([&] { return NestedSum(n, 4) == expected; }),
+    "a forked process should run loops and end");
+}
+
+/// A process takes the cores that it may run on; those of one machine share them.
+void SharesCores()
+{
+  constexpr const char* names[] = { "OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS",
+    "MV2_COMM_WORLD_LOCAL_SIZE" };
+  for (const char* name : names)
   {
-    alarm(600); // ends it if it hangs; it takes milliseconds
-    std::exit(NestedSum(n, 4) == expected ? 0 : 1);
+    unsetenv(name);
   }
-  int status = -1;
-  CHECK(waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0,
-    "a forked process should run loops and end, its status is " << status);
+  const int cores = ThreadsOfThisProcess();
+  CHECK(cores >= 1, "a thread at least");
+  for (const char* name : names)
+  {
+    const auto with = [name](const char* text)
+    {
+      setenv(name, text, 1);
+      const int threads = ThreadsOfThisProcess();
+      unsetenv(name);
+      return threads;
+    };
+    const int machine = std::max(cores, static_cast<int>(std::thread::hardware_concurrency()));
+    CHECK(with("1") == cores, name << ": alone on the machine");
+    CHECK(with("2") == std::max(1, std::min(cores, machine / 2)), name << ": two processes");
+    CHECK(with("100000") == 1, name << ": more processes than cores");
+    for (const char* text : { "", "0", "-3", "many" })
+    {
+      CHECK(with(text) == cores, name << "=" << text << " says nothing");
+    }
+  }
+}
+
+void FollowsAffinity()
+{
+  CHECK(HoldsInChild(
+          []
+          {
+            cpu_set_t one;
+            CPU_ZERO(&one);
+            CPU_SET(sched_getcpu(), &one);
+            return sched_setaffinity(0, sizeof(one), &one) == 0 && ThreadsOfThisProcess() == 1;
+          }),
+    "a process on one core should take one thread");
 }
 }
 
@@ -225,5 +282,7 @@ int main()
   NestedLoopsOfSeveralThreads();
   WaitsForNobody();
   WorksAfterFork();
+  SharesCores();
+  FollowsAffinity();
   return CheckResult();
 }
