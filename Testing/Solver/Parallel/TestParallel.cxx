@@ -203,7 +203,7 @@ bool HoldsInChild(const std::function<bool()>& check)
   const pid_t child = fork();
   if (child == 0)
   {
-    alarm(60); // ends it if it hangs
+    alarm(600); // ends it if it hangs; it takes milliseconds
     const int failures = Check::Failures;
     const bool holds = check();
     std::exit(holds && Check::Failures == failures ? EXIT_SUCCESS : EXIT_FAILURE);
