@@ -5,6 +5,7 @@
 #include "Advice.h"
 #include "SphericalStyleMethod.h"
 #include "SurfaceGrid.h"
+#include "vtkCenterIds.h"
 #include "vtkFilterSupport.h"
 #include "vtkFoldGuard.h"
 #include "vtkLongEdges.h"
@@ -30,7 +31,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -59,9 +59,6 @@ enum InputArrays
   CENTER_ID = 5
 };
 
-// More are a mistake, such as the array of another purpose; each costs one more field to smooth.
-constexpr std::size_t MaximumNumberOfCenters = 256;
-
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr vtkSurfaceMeshConversion::ArrayRule ArrayRules[] = {
   // from ROUNDNESS_FACTOR on
@@ -69,103 +66,6 @@ constexpr vtkSurfaceMeshConversion::ArrayRule ArrayRules[] = {
   { "Normal blend", 1, 0.0, 1.0 },
   { "Target directions", 3, -Infinity, Infinity },
 };
-
-/// Rank of the id that each mesh point has in the array, and the ids by rank; empty without an
-/// array. @throw std::invalid_argument naming the array and the first offending point
-struct CenterIds
-{
-  std::vector<int> OfPoints;
-  std::vector<vtkIdType> Values;
-  std::string ArrayName;
-};
-
-CenterIds FindCenterIds(vtkInformation* wanted, const vtkSurfaceMesh& surface, vtkPolyData* input)
-{
-  CenterIds ids;
-  vtkDataArray* array = vtkSurfaceMeshConversion::FindPointArray(wanted, input, "Center id");
-  if (!array)
-  {
-    return ids;
-  }
-  ids.ArrayName = array->GetName() ? array->GetName() : "";
-  const std::string name = "Center id: array '" + ids.ArrayName + "'";
-  if (array->GetNumberOfComponents() != 1 ||
-    array->GetNumberOfTuples() != input->GetNumberOfPoints())
-  {
-    throw std::invalid_argument(name + " must have 1 component and a value for every point");
-  }
-  std::map<double, int> ranks;
-  std::vector<double> values(surface.Mesh.P.rows());
-  for (vtkIdType i = input->GetNumberOfPoints() - 1; i >= 0; --i)
-  {
-    const int point = surface.MeshPoint[i];
-    const double value = array->GetComponent(i, 0);
-    if (point == vtkSurfaceMesh::NotMoved)
-    {
-      continue;
-    }
-    if (value != std::floor(value) || std::abs(value) > 1e15)
-    {
-      throw std::invalid_argument(name + " must hold whole numbers; point " + std::to_string(i) +
-        " has " + std::to_string(value));
-    }
-    values[point] = value; // the first of coincident points comes last
-  }
-  for (const double value : values)
-  {
-    ranks[value] = 0;
-  }
-  if (ranks.size() > MaximumNumberOfCenters)
-  {
-    throw std::invalid_argument(name + " has " + std::to_string(ranks.size()) +
-      " different values; there can be " + std::to_string(MaximumNumberOfCenters) + " centers");
-  }
-  for (auto& [value, rank] : ranks)
-  {
-    rank = static_cast<int>(ids.Values.size());
-    ids.Values.push_back(static_cast<vtkIdType>(value));
-  }
-  for (const double value : values)
-  {
-    ids.OfPoints.push_back(ranks[value]);
-  }
-  return ids;
-}
-
-/// Says whose part it is, in the user's words. @param ids  of the centers, none for a region
-[[noreturn]] void Refuse(const SphericalStyle::PartWithoutSphere& error, const CenterIds& ids)
-{
-  throw std::invalid_argument(ids.Values.empty()
-      ? "Region: " + error.Why + "; SphereOf WholeModel takes that of the whole model"
-      : "Center id " + std::to_string(ids.Values[error.Part]) + ": " + error.Why);
-}
-
-/// One row per id, of the point set's points. @throw std::invalid_argument naming the missing one
-Points FindCenters(const CenterIds& ids, vtkPointSet* given)
-{
-  if (ids.Values.empty())
-  {
-    throw std::invalid_argument("Centers: points are given, but no array of center ids (index 5)");
-  }
-  const vtkIdType n = given->GetNumberOfPoints();
-  vtkDataArray* own = given->GetPointData()->GetArray(ids.ArrayName.c_str());
-  Points centers(ids.Values.size(), 3);
-  for (std::size_t k = 0; k < ids.Values.size(); ++k)
-  {
-    vtkIdType at = own ? 0 : static_cast<vtkIdType>(k);
-    while (own && at < n && own->GetComponent(at, 0) != static_cast<double>(ids.Values[k]))
-    {
-      ++at;
-    }
-    if (at >= n)
-    {
-      throw std::invalid_argument(
-        "Centers: there is no point for center id " + std::to_string(ids.Values[k]));
-    }
-    given->GetPoint(at, centers.row(static_cast<Eigen::Index>(k)).data());
-  }
-  return centers;
-}
 
 /// One row per point of the solve, no row where no array was chosen.
 vtkSurfaceMeshConversion::Rows Gather(
@@ -324,13 +224,13 @@ SphericalStyle::MethodOptions vtkSphericalStyleFilter::Internals::MakeOptions(
     o.normals = vtkSurfaceMeshConversion::GatherNormals(
       self->GetInputArrayInformation(NORMALS), inputs.Model, surface);
   }
-  const CenterIds ids =
-    FindCenterIds(self->GetInputArrayInformation(CENTER_ID), surface, inputs.Model);
+  const vtkCenterIds ids =
+    vtkCenterIds::Find(self->GetInputArrayInformation(CENTER_ID), surface, inputs.Model);
   o.centerIds = ids.OfPoints;
   o.centerBlend = self->CenterBlendWidth;
   if (inputs.Centers)
   {
-    o.centers = FindCenters(ids, inputs.Centers);
+    o.centers = ids.Centers(inputs.Centers);
   }
   for (std::size_t i = 0; i < region.size(); ++i)
   {
@@ -382,7 +282,8 @@ SphericalStyle::StyleReport vtkSphericalStyleFilter::Internals::Solve(vtkSpheric
   }
   catch (const SphericalStyle::PartWithoutSphere& error)
   {
-    Refuse(error, FindCenterIds(self->GetInputArrayInformation(CENTER_ID), surface, inputs.Model));
+    vtkCenterIds::Find(self->GetInputArrayInformation(CENTER_ID), surface, inputs.Model)
+      .Refuse(error);
   }
   Q = this->Guarded.Positions;
   return this->Guarded.Style;
