@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # What the scripts of this folder share; sourced, not run.
+# shellcheck shell=bash
 #
 #   BUILD_DIR    build folder, relative to the project's (default: build)
 #   VERBOSE=1    show everything the steps print

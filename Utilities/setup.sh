@@ -2,13 +2,14 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# usage: Utilities/setup.sh [--plain-vtk | --packages | --benchmarks | --checks]
+# usage: Utilities/setup.sh [--plain-vtk | --packages | --benchmarks | --checks | --docs]
 #
 # Installs what building, testing and the demo need on Debian 12 and is not there yet; does nothing
 # if all of it is there. --plain-vtk: also what Utilities/test-plain-vtk.sh needs;
 # --packages: what Utilities/test-packages.sh needs; --benchmarks: what Benchmarks/ needs, and the
 # peers that it compares with; --checks: what Utilities/check.sh and the checks of Testing/README.md
-# need.
+# need; --docs: what Utilities/docs.sh needs, and only that.
+# ANY_RELEASE=1 tries it on other releases of Debian, where nothing is tested.
 # Takes sudo if it is not run as root. On other systems: install the like of the packages below.
 set -euo pipefail
 
@@ -26,6 +27,8 @@ packages=(
   libgl1-mesa-dri libqt5svg5 xauth xdotool xvfb
   python3-matplotlib python3-numpy python3-pil python3-scipy)
 
+documentation=(mkdocs mkdocs-material python3-pymdownx)
+
 case ${1:-} in
   "") ;;
   --plain-vtk)
@@ -36,10 +39,14 @@ case ${1:-} in
       libdouble-conversion-dev libjsoncpp-dev liblz4-dev liblzma-dev libtbb-dev libutfcpp-dev)
     ;;
   --packages) packages+=(debian-archive-keyring dpkg-dev file mmdebstrap) ;;
-  --checks) packages+=(clang clang-format clang-tidy gcovr valgrind) ;;
+  --checks)
+    packages+=(clang clang-format clang-tidy codespell gcovr shellcheck valgrind
+      "${documentation[@]}" python3-yaml)
+    ;;
+  --docs) packages=(git "${documentation[@]}") ;;
   --benchmarks) packages+=(libbenchmark-dev libopen3d-dev libopenblas-dev libsuitesparse-dev) ;;
   *)
-    echo "usage: Utilities/setup.sh [--plain-vtk | --packages | --benchmarks | --checks]" >&2
+    echo "usage: Utilities/setup.sh [--plain-vtk | --packages | --benchmarks | --checks | --docs]" >&2
     exit 2
     ;;
 esac
@@ -68,7 +75,7 @@ fi
 
 release=$(. /etc/os-release 2>/dev/null && echo "${ID:-?} ${VERSION_ID:-?}") ||
   release="unknown system"
-[ "$release" = "debian 12" ] ||
+[ "$release" = "debian 12" ] || [ -n "${ANY_RELEASE:-}" ] ||
   give_up "This script knows Debian 12; here is: $release. Missing: ${missing[*]}"
 
 sudo=()

@@ -1,0 +1,162 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Run clang-tidy over what the build compiles, as Utilities/check.sh does.
+
+A file without a finding is not looked at again until it, a header that it includes, the command that compiles it or
+clang-tidy itself changes: BUILD/tidy has the hashes of what was found clean.
+"""
+import argparse
+import concurrent.futures
+import functools
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import threading
+import time
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+
+
+def run(*command, **options):
+    return subprocess.run(command, capture_output=True, text=True, **options)
+
+
+def compiled(project, build):
+    """Our own sources and the commands that compile them; not what the build generates."""
+    commands = {}
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        file = pathlib.Path(entry["file"])
+        if file.is_relative_to(project) and not file.is_relative_to(build):
+            commands.setdefault(file.relative_to(project), entry)
+    return commands
+
+
+def git_names(project, *arguments):
+    done = run("git", "-C", str(project), *arguments)
+    if done.returncode:
+        sys.exit(f"git {' '.join(arguments)}: {done.stderr.strip()}")
+    return {pathlib.Path(name) for name in done.stdout.split("\0") if name}
+
+
+def changed_since(project, ref):
+    return (git_names(project, "diff", "--name-only", "-z", ref, "--") |
+            git_names(project, "ls-files", "-z", "--others", "--exclude-standard"))
+
+
+def order_of(project, sources, changed):
+    """What the change can have spoiled, the likeliest first: changed sources, one source for each changed header (of
+    its name if there is one), then all others that include one of these, over other headers as well."""
+    if any(file.name == ".clang-tidy" for file in changed):
+        return sorted(sources)
+    files = set(sources) | git_names(project, "ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.h")
+    included = {file: {pathlib.PurePosixPath(name).name for name in INCLUDE.findall((project / file).read_text())}
+                for file in files if (project / file).is_file()}
+
+    def includers(header):
+        found, names = set(), [header.name]
+        while names:
+            name = names.pop()
+            more = {file for file, headers in included.items() if name in headers} - found
+            found |= more
+            names += [file.name for file in more if file.suffix == ".h"]
+        return found & set(sources)
+
+    first = sorted(set(sources) & changed)
+    second, third = [], []
+    for header in sorted(file for file in changed if file.suffix == ".h"):
+        users = sorted(includers(header), key=lambda file: (file.stem != header.stem, file))
+        second += users[:1]
+        third += users[1:]
+    return list(dict.fromkeys([*first, *second, *third]))
+
+
+class Tidy:
+    def __init__(self, project, build):
+        self.project, self.build, self.clean = project, build, build / "tidy"
+        self.clean.mkdir(exist_ok=True)
+        self.version = run("clang-tidy", "--version", check=True).stdout
+
+    @functools.cache
+    def content(self, file):
+        return hashlib.sha256(pathlib.Path(file).read_bytes()).hexdigest()
+
+    def configuration(self, file):
+        """The files .clang-tidy that count for a source."""
+        return [folder / ".clang-tidy" for folder in (self.project / file).parents
+                if folder.is_relative_to(self.project) and (folder / ".clang-tidy").exists()]
+
+    def key(self, file, entry):
+        """A hash of all that the verdict depends on; none if the compiler cannot say what the file includes."""
+        words = shlex.split(entry["command"])
+        if pathlib.Path(words[0]).name in ("ccache", "distcc"):
+            del words[0]
+        at = words.index("-o")
+        words = [word for word in words[:at] + words[at + 2:] if word != "-c"]
+        done = run(*words, "-M", "-MT", "x", cwd=entry["directory"])
+        if done.returncode:
+            return None
+        headers = shlex.split(done.stdout.replace("\\\n", " "))[1:]
+        state = hashlib.sha256(f"{self.version}{words}".encode())
+        for name in [*sorted({os.path.normpath(os.path.join(entry["directory"], name)) for name in headers}),
+                     *map(str, self.configuration(file))]:
+            state.update(f"{name} {self.content(name)}\n".encode())
+        return state.hexdigest()
+
+    def check(self, file, entry):
+        """What clang-tidy says against a file, and whether it was asked."""
+        key = self.key(file, entry)
+        if key and (self.clean / key).exists():
+            return "", False
+        done = run("clang-tidy", "--quiet", "-p", str(self.build), str(self.project / file))
+        if done.returncode == 0 and key:
+            (self.clean / key).touch()
+        # Its other stream counts what was suppressed; it matters if there was nothing but a failure.
+        return (done.stdout or done.stderr or "failed") if done.returncode else "", True
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path, help="configured build folder with compile_commands.json")
+    parser.add_argument("--since", metavar="REF", help="only what changed since this commit, and what includes it")
+    parser.add_argument("--seconds", type=float, default=float("inf"), help="begin no further file after this time")
+    parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
+    arguments = parser.parse_args()
+
+    start = time.monotonic()
+    project, build = pathlib.Path(__file__).resolve().parents[1], arguments.build.resolve()
+    commands = compiled(project, build)
+    if not commands:
+        sys.exit(f"{build}/compile_commands.json names no source of ours")
+    files = sorted(commands)
+    if arguments.since:
+        files = order_of(project, files, changed_since(project, arguments.since))
+    tidy = Tidy(project, build)
+    asked, found, reached, lock = 0, 0, 0, threading.Lock()
+
+    def one(file):
+        nonlocal asked, found, reached
+        if time.monotonic() - start > arguments.seconds:
+            return
+        report, was_asked = tidy.check(file, commands[file])
+        with lock:
+            reached, asked, found = reached + 1, asked + was_asked, found + bool(report)
+            if report:
+                print(f"{report.rstrip()}\n", flush=True)
+
+    with concurrent.futures.ThreadPoolExecutor(max_workers=arguments.jobs) as pool:
+        list(pool.map(one, files))
+    print(f"clang-tidy: {reached} of {len(commands)} sources, {asked} of them looked at anew, findings in {found}, "
+          f"{time.monotonic() - start:.0f} s")
+    if reached < len(files):
+        print(f"clang-tidy: no time for {len(files) - reached} sources that the change concerns: "
+              f"{' '.join(map(str, files[reached:reached + 5]))} ...")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
