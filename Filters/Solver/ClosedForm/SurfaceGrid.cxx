@@ -268,6 +268,8 @@ private:
   void CutEvenly(int triangle, int n, Parts& parts) const;
   void SumCell(const Part* begin, const Part* end, Samples& samples) const;
   void SumSubCell(const Part* begin, const Part* end, Samples& samples) const;
+  /// Where each sample is in its cell.
+  void PlaceInCells(const std::vector<int>& cells);
 
   SurfaceGrid& Grid;
   const Points& P;
@@ -489,7 +491,7 @@ void SurfaceGrid::Splatter::SumSubCell(const Part* begin, const Part* end, Sampl
   samples.places.push_back(place);
   samples.areaVectors.push_back(areaVector);
   samples.tangents.push_back(tangent);
-  samples.spreads.push_back(square / weight - place * place.transpose());
+  samples.spreads.emplace_back(square / weight - place * place.transpose());
   samples.entryCounts.push_back(static_cast<int>(samples.points.size() - first));
 }
 
@@ -599,14 +601,20 @@ void SurfaceGrid::Splatter::Sum(const std::vector<int>& cells)
     grid.Entries.insert(grid.Entries.end(), task.entries.begin(), task.entries.end());
     task = {};
   }
-  const std::array<int, 3> boxes = { 2 * grid.Half[0] + 1, 2 * grid.Half[1] + 1,
-    2 * grid.Half[2] + 1 };
-  for (int c = 0; c < count; ++c)
+  this->PlaceInCells(cells);
+}
+
+void SurfaceGrid::Splatter::PlaceInCells(const std::vector<int>& cells)
+{
+  SurfaceGrid& grid = this->Grid;
+  const int width = 2 * grid.Half[0] + 1;
+  const int height = 2 * grid.Half[1] + 1;
+  const Eigen::RowVector3d middle = { 0.5 + grid.Half[0], 0.5 + grid.Half[1], 0.5 + grid.Half[2] };
+  for (std::size_t c = 0; c < cells.size(); ++c)
   {
-    const Eigen::RowVector3d cell(
-      cells[c] % boxes[0], cells[c] / boxes[0] % boxes[1], cells[c] / boxes[0] / boxes[1]);
-    const Eigen::RowVector3d middle = { 0.5 + grid.Half[0], 0.5 + grid.Half[1],
-      0.5 + grid.Half[2] };
+    const int row = cells[c] / width;
+    const int layer = row / height;
+    const Eigen::RowVector3d cell(cells[c] % width, row % height, layer);
     for (int i = grid.FirstSample[c]; i < grid.FirstSample[c + 1]; ++i)
     {
       grid.Locals.row(i) =
@@ -693,13 +701,73 @@ void SurfaceGrid::NumberFunctions(const std::vector<int>& cells)
   }
 }
 
+namespace
+{
+// Entry `shift` of function g, the other function having a larger number, or g itself.
+constexpr int EntriesOfFunction = Shifts - HalfOfShifts;
+
+/// What a sample adds to the matrix. @param q  Q_k @param root  of the mass of the sample
+void AddSample(const LocalFunctions& f, const Eigen::Matrix<double, 1, 6>& q, double root,
+  double stiffness, double spacing, Block& block)
+{
+  Eigen::Matrix3d Q;
+  Q << q(0), q(1), q(2), q(1), q(3), q(4), q(2), q(4), q(5);
+  // Q = L L^T, semidefinite: a flat piece has no say across itself.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(Q * stiffness);
+  const Eigen::Matrix3d L =
+    eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  alignas(64) double u[4 * 28] = {};
+  for (int g = 0; g < Near; ++g)
+  {
+    u[g] = root * f.phi[g];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      u[28 * (axis + 1) + g] = (L(0, axis) * f.gradient[0][g] + L(1, axis) * f.gradient[1][g] +
+                                 L(2, axis) * f.gradient[2][g]) /
+        spacing;
+    }
+  }
+  AddOuterProducts(u, block.data());
+}
+
+/// Half of the matrix, with the ridge. @param others  the other function of each entry, or Outside
+SparseCholesky::Matrix LowerMatrix(
+  int functions, const std::vector<double>& values, const std::vector<int>& others)
+{
+  SparseCholesky::Matrix A(functions, functions);
+  const auto entries =
+    std::count_if(others.begin(), others.end(), [](int other) { return other != Outside; });
+  A.resizeNonZeros(static_cast<Eigen::Index>(entries));
+  double trace = 0.0;
+  for (int g = 0; g < functions; ++g)
+  {
+    trace += values[static_cast<std::size_t>(g) * EntriesOfFunction];
+  }
+  int at = 0;
+  for (int g = 0; g < functions; ++g)
+  {
+    A.outerIndexPtr()[g] = at;
+    for (int s = 0; s < EntriesOfFunction; ++s)
+    {
+      const std::size_t from = static_cast<std::size_t>(g) * EntriesOfFunction + s;
+      if (others[from] != Outside)
+      {
+        A.innerIndexPtr()[at] = others[from];
+        A.valuePtr()[at] = values[from] + (s == 0 ? Ridge * trace / functions : 0.0);
+        ++at;
+      }
+    }
+  }
+  A.outerIndexPtr()[functions] = at;
+  return A;
+}
+}
+
 SparseCholesky::Matrix SurfaceGrid::Assemble(double mass, double stiffness, int threads) const
 {
-  using Eigen::Index;
   const int cells = static_cast<int>(this->Functions.size()) / Near;
-  // Entry `shift` of function g, the other function having a larger number, or g itself.
-  constexpr int Width = Shifts - HalfOfShifts;
-  std::vector<double> values(static_cast<std::size_t>(this->NumberOfFunctions) * Width, 0.0);
+  std::vector<double> values(
+    static_cast<std::size_t>(this->NumberOfFunctions) * EntriesOfFunction, 0.0);
   std::vector<int> others(values.size(), Outside);
   std::array<std::array<int, Near>, Near> shift = {};
   for (int a = 0; a < Near; ++a)
@@ -724,28 +792,8 @@ SparseCholesky::Matrix SurfaceGrid::Assemble(double mass, double stiffness, int 
           block.fill(0.0);
           for (int k = this->FirstSample[begin + c]; k < this->FirstSample[begin + c + 1]; ++k)
           {
-            const LocalFunctions f(this->Locals.row(k));
-            const auto q = this->Tangents.row(k);
-            Eigen::Matrix3d Q;
-            Q << q(0), q(1), q(2), q(1), q(3), q(4), q(2), q(4), q(5);
-            // Q = L L^T, semidefinite: a flat piece has no say across itself.
-            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(Q * stiffness);
-            const Eigen::Matrix3d L =
-              eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-            alignas(64) double u[4 * 28] = {};
-            const double root = std::sqrt(mass * this->Weights(k));
-            for (int g = 0; g < Near; ++g)
-            {
-              u[g] = root * f.phi[g];
-              for (int axis = 0; axis < 3; ++axis)
-              {
-                u[28 * (axis + 1) + g] =
-                  (L(0, axis) * f.gradient[0][g] + L(1, axis) * f.gradient[1][g] +
-                    L(2, axis) * f.gradient[2][g]) /
-                  this->Spacing;
-              }
-            }
-            AddOuterProducts(u, block.data());
+            AddSample(LocalFunctions(this->Locals.row(k)), this->Tangents.row(k),
+              std::sqrt(mass * this->Weights(k)), stiffness, this->Spacing, block);
           }
         }
       });
@@ -757,53 +805,26 @@ SparseCholesky::Matrix SurfaceGrid::Assemble(double mass, double stiffness, int 
       {
         for (int b = 0; b <= a; ++b)
         {
-          const std::size_t at = static_cast<std::size_t>(functions[b]) * Width + shift[b][a];
+          const std::size_t at =
+            static_cast<std::size_t>(functions[b]) * EntriesOfFunction + shift[b][a];
           values[at] += blocks[c][28 * a + b];
           others[at] = functions[a];
         }
       }
     }
   }
-  SparseCholesky::Matrix A(this->NumberOfFunctions, this->NumberOfFunctions);
-  const auto entries =
-    std::count_if(others.begin(), others.end(), [](int other) { return other != Outside; });
-  A.resizeNonZeros(static_cast<Index>(entries));
-  double trace = 0.0;
-  for (int g = 0; g < this->NumberOfFunctions; ++g)
-  {
-    trace += values[static_cast<std::size_t>(g) * Width];
-  }
-  int at = 0;
-  for (int g = 0; g < this->NumberOfFunctions; ++g)
-  {
-    A.outerIndexPtr()[g] = at;
-    for (int s = 0; s < Width; ++s)
-    {
-      const std::size_t from = static_cast<std::size_t>(g) * Width + s;
-      if (others[from] != Outside)
-      {
-        A.innerIndexPtr()[at] = others[from];
-        A.valuePtr()[at] = values[from] + (s == 0 ? Ridge * trace / this->NumberOfFunctions : 0.0);
-        ++at;
-      }
-    }
-  }
-  A.outerIndexPtr()[this->NumberOfFunctions] = at;
-  return A;
+  return LowerMatrix(this->NumberOfFunctions, values, others);
 }
 
-namespace
-{
 /// Pairs of the same two cells, added up.
-struct CellPair
+struct SurfaceGrid::CellPair
 {
   std::array<int, 2> cells; // active cells, ascending
   double weight;
   std::array<Eigen::Vector3d, 2> t; // weighted places in these cells
 };
-}
 
-void SurfaceGrid::AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::Matrix& A) const
+std::vector<SurfaceGrid::CellPair> SurfaceGrid::CellPairs(const std::vector<GridPair>& pairs) const
 {
   std::vector<CellPair> found;
   for (const GridPair& pair : pairs)
@@ -827,14 +848,28 @@ void SurfaceGrid::AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::M
   }
   std::stable_sort(found.begin(), found.end(),
     [](const CellPair& a, const CellPair& b) { return a.cells < b.cells; });
-  if (found.empty())
+  std::vector<CellPair> sums;
+  for (const CellPair& pair : found)
   {
-    return;
+    // In one cell nothing says which side is which.
+    const bool apart = pair.cells[0] != pair.cells[1];
+    if (apart && !sums.empty() && sums.back().cells == pair.cells)
+    {
+      sums.back().weight += pair.weight;
+      sums.back().t[0] += pair.t[0];
+      sums.back().t[1] += pair.t[1];
+    }
+    else
+    {
+      sums.push_back(pair);
+    }
   }
-  // The numbers of functions follow their places, so that an entry is found by the place of the
-  // other function from here: up to Reach away along each axis.
-  const std::array<int, 3> nodes = { 2 * this->Half[0] + 3, 2 * this->Half[1] + 3,
-    2 * this->Half[2] + 3 };
+  return sums;
+}
+
+std::vector<std::array<int, 3>> SurfaceGrid::PlacesOfFunctions() const
+{
+  const std::array<int, 2> boxes = { 2 * this->Half[0] + 1, 2 * this->Half[1] + 1 };
   std::vector<std::array<int, 3>> places(this->NumberOfFunctions);
   for (std::size_t box = 0; box < this->CellOfBox.size(); ++box)
   {
@@ -842,16 +877,67 @@ void SurfaceGrid::AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::M
     const int at = static_cast<int>(box);
     for (int g = 0; cell != Outside && g < Near; ++g)
     {
-      places[this->Functions[static_cast<std::size_t>(Near) * cell + g]] = {
-        at % (nodes[0] - 2) + g % 3, at / (nodes[0] - 2) % (nodes[1] - 2) + g / 3 % 3,
-        at / (nodes[0] - 2) / (nodes[1] - 2) + g / 9
-      };
+      places[this->Functions[static_cast<std::size_t>(Near) * cell + g]] = { at % boxes[0] + g % 3,
+        at / boxes[0] % boxes[1] + g / 3 % 3, at / boxes[0] / boxes[1] + g / 9 };
     }
   }
-  constexpr int Reach = 6; // a wall is thinner than 2 s, three cells
-  constexpr int Width = 2 * Reach + 1;
-  constexpr int Middle = Width * Width * Width / 2;
-  std::vector<std::vector<double>> rows(this->NumberOfFunctions); // from Middle on
+  return places;
+}
+
+namespace
+{
+constexpr int PairReach = 6; // a wall is thinner than 2 s, three cells
+constexpr int PairWidth = 2 * PairReach + 1;
+constexpr int PairMiddle = PairWidth * PairWidth * PairWidth / 2;
+
+/// Entries that are not 0. @param nodes  places of functions along each axis @param rows  emptied
+std::vector<Eigen::Triplet<double>> EntriesOf(const std::array<int, 3>& nodes,
+  const std::vector<std::array<int, 3>>& places, std::vector<std::vector<double>>& rows)
+{
+  const int functions = static_cast<int>(places.size());
+  const std::size_t box = static_cast<std::size_t>(nodes[0]) * nodes[1] * nodes[2];
+  std::vector<int> functionAt(box, Outside);
+  const auto index = [&](const std::array<int, 3>& place)
+  {
+    return place[0] +
+      static_cast<std::size_t>(nodes[0]) *
+      (place[1] + static_cast<std::size_t>(nodes[1]) * place[2]);
+  };
+  for (int g = 0; g < functions; ++g)
+  {
+    functionAt[index(places[g])] = g;
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int g = 0; g < functions; ++g)
+  {
+    for (std::size_t k = 0; k < rows[g].size(); ++k)
+    {
+      if (rows[g][k] != 0.0)
+      {
+        const int shift = static_cast<int>(k) + PairMiddle;
+        const std::array<int, 3> other = { places[g][0] + shift % PairWidth - PairReach,
+          places[g][1] + shift / PairWidth % PairWidth - PairReach,
+          places[g][2] + shift / PairWidth / PairWidth - PairReach };
+        entries.emplace_back(functionAt[index(other)], g, rows[g][k]);
+      }
+    }
+    std::vector<double>().swap(rows[g]);
+  }
+  return entries;
+}
+}
+
+void SurfaceGrid::AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::Matrix& A) const
+{
+  const std::vector<CellPair> sums = this->CellPairs(pairs);
+  if (sums.empty())
+  {
+    return;
+  }
+  // The numbers of functions follow their places, so that an entry is found by the place of the
+  // other function from here: up to PairReach away along each axis.
+  const std::vector<std::array<int, 3>> places = this->PlacesOfFunctions();
+  std::vector<std::vector<double>> rows(this->NumberOfFunctions); // from PairMiddle on
   const auto add = [&](int a, int b, double value)
   {
     const int column = std::min(a, b);
@@ -859,25 +945,17 @@ void SurfaceGrid::AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::M
     std::array<int, 3> shift;
     for (int axis = 0; axis < 3; ++axis)
     {
-      shift[axis] = places[row][axis] - places[column][axis] + Reach;
+      shift[axis] = places[row][axis] - places[column][axis] + PairReach;
     }
     if (rows[column].empty())
     {
-      rows[column].assign(Middle + 1, 0.0);
+      rows[column].assign(PairMiddle + 1, 0.0);
     }
-    rows[column][shift[0] + Width * (shift[1] + Width * shift[2]) - Middle] += value;
+    rows[column][shift[0] + PairWidth * (shift[1] + PairWidth * shift[2]) - PairMiddle] += value;
   };
   const double scale = this->Size * this->Size;
-  for (std::size_t i = 0; i < found.size();)
+  for (const CellPair& sum : sums)
   {
-    CellPair sum = found[i];
-    const bool apart = sum.cells[0] != sum.cells[1]; // in one cell nothing says which side is which
-    for (++i; apart && i < found.size() && found[i].cells == sum.cells; ++i)
-    {
-      sum.weight += found[i].weight;
-      sum.t[0] += found[i].t[0];
-      sum.t[1] += found[i].t[1];
-    }
     std::array<int, 2 * Near> functions = {};
     std::array<double, 2 * Near> phi = {};
     for (int side = 0; side < 2; ++side)
@@ -901,34 +979,8 @@ void SurfaceGrid::AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::M
       }
     }
   }
-  const std::size_t box = static_cast<std::size_t>(nodes[0]) * nodes[1] * nodes[2];
-  std::vector<int> functionAt(box, Outside);
-  const auto index = [&](const std::array<int, 3>& place)
-  {
-    return place[0] +
-      static_cast<std::size_t>(nodes[0]) *
-      (place[1] + static_cast<std::size_t>(nodes[1]) * place[2]);
-  };
-  for (int g = 0; g < this->NumberOfFunctions; ++g)
-  {
-    functionAt[index(places[g])] = g;
-  }
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int g = 0; g < this->NumberOfFunctions; ++g)
-  {
-    for (std::size_t k = 0; k < rows[g].size(); ++k)
-    {
-      if (rows[g][k] != 0.0)
-      {
-        const int shift = static_cast<int>(k) + Middle;
-        const std::array<int, 3> other = { places[g][0] + shift % Width - Reach,
-          places[g][1] + shift / Width % Width - Reach,
-          places[g][2] + shift / Width / Width - Reach };
-        entries.emplace_back(functionAt[index(other)], g, rows[g][k]);
-      }
-    }
-    std::vector<double>().swap(rows[g]);
-  }
+  const std::vector<Eigen::Triplet<double>> entries = EntriesOf(
+    { 2 * this->Half[0] + 3, 2 * this->Half[1] + 3, 2 * this->Half[2] + 3 }, places, rows);
   SparseCholesky::Matrix more(A.rows(), A.cols());
   more.setFromTriplets(entries.begin(), entries.end());
   A += more;

@@ -113,12 +113,15 @@ public:
 
 private:
   class Splatter;
-  struct Place; // of a point in the grid
+  struct Place;    // of a point in the grid
+  struct CellPair; // of pairs
 
   Place Locate(const Eigen::RowVector3d& x) const;
   const int* FunctionsAt(const Place& place) const;
   void NumberFunctions(const std::vector<int>& cells);
   SparseCholesky::Matrix Assemble(double mass, double stiffness, int threads) const;
+  std::vector<CellPair> CellPairs(const std::vector<GridPair>& pairs) const;
+  std::vector<std::array<int, 3>> PlacesOfFunctions() const;
   void AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::Matrix& A) const;
   /// @param locate  gives the functions at place i, or nullptr, and where it is in their cell
   template <typename Placing>
