@@ -460,7 +460,8 @@ void NormalsDecide(Checker& check)
   std::vector<Vector> points;
   for (int i = 0; i < 16; ++i)
   {
-    points.push_back({ 0.10 + 0.01 * (i % 4), 0.31 + 0.1 * (i / 4), 0.15 });
+    const int row = i / 4;
+    points.push_back({ 0.10 + 0.01 * (i % 4), 0.31 + 0.1 * row, 0.15 });
   }
   const Surface input = MakeSurface(points, {});
   for (int k = 0; k < 3; ++k)

@@ -127,7 +127,7 @@ void Volume(Checker& check, const std::function<void(FilterType*, vtkPolyData*)>
 /// The method's; it must be that of PrintSelf too.
 std::string Position(Checker& check, WatchedFilter& filter)
 {
-  const std::string position = filter->GetCenterPosition();
+  std::string position = filter->GetCenterPosition();
   std::ostringstream text;
   filter->Print(text);
   check(Contains(text.str(), "CenterPosition: " + position + "\n"), "PrintSelf should print it");

@@ -259,7 +259,8 @@ void TurnedOver(Checker& check)
   const vtkIdType k = 11;
   for (vtkIdType i = 0; i < k * k; ++i)
   {
-    x.push_back({ 1.0 * (i % k), 1.0 * (i / k), 0.0 });
+    const vtkIdType row = i / k;
+    x.push_back({ 1.0 * (i % k), 1.0 * row, 0.0 });
   }
   for (vtkIdType i = 0; i + k + 1 < k * k; ++i)
   {

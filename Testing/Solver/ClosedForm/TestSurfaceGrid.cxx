@@ -328,6 +328,16 @@ void Coarser(const Framed& s)
   std::cout << s.name << ": " << per << " functions per spacing^2" << std::endl;
   CHECK(per > 2.0 && per < 15.0, s.name << ": " << per << " functions per spacing^2");
 }
+
+/// Nothing lies outside of the surface's cells.
+void Outside(const Framed& s)
+{
+  SurfaceGrid grid(s.P, s.F, 0.02, 1);
+  grid.Factor({}, 1);
+  const Fields ones = grid.Smooth(Fields::Ones(grid.GetNumberOfSamples(), 1), 1);
+  CHECK(grid.AtPoints(ones, Points::Zero(1, 3), 1)(0, 0) == 0.0,
+    "a field is not 0 where there is no function");
+}
 }
 
 int main()
@@ -346,11 +356,6 @@ int main()
   }
   Walls();
   Coarser(surfaces.front());
-  // Nothing lies outside of the surface's cells.
-  SurfaceGrid grid(surfaces.front().P, surfaces.front().F, 0.02, 1);
-  grid.Factor({}, 1);
-  const Fields ones = grid.Smooth(Fields::Ones(grid.GetNumberOfSamples(), 1), 1);
-  CHECK(grid.AtPoints(ones, Points::Zero(1, 3), 1)(0, 0) == 0.0,
-    "a field is not 0 where there is no function");
+  Outside(surfaces.front());
   return CheckResult();
 }

@@ -29,7 +29,7 @@ struct Expected
 MeshDiagnosis CheckFindings(const std::string& about, const TriangleMesh& mesh,
   const std::vector<Expected>& expected, unsigned also = 0, const DiagnosisOptions& options = {})
 {
-  const MeshDiagnosis d = Diagnose(mesh.P, mesh.F, options);
+  MeshDiagnosis d = Diagnose(mesh.P, mesh.F, options);
   CHECK(d.pointMarks.size() == static_cast<std::size_t>(mesh.P.rows()) &&
       d.triangleMarks.size() == static_cast<std::size_t>(mesh.F.rows()) &&
       d.components.size() == d.triangleMarks.size(),

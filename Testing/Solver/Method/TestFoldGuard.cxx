@@ -298,9 +298,8 @@ void TestLastResort()
     return (other.P - mesh.P).rowwise().norm().maxCoeff() > 0.2501 ? std::vector<Pair>{ { 0, 9 } }
                                                                    : std::vector<Pair>();
   };
-  const Points larger = 1.5 * mesh.P;
-  const FoldGuardReport way =
-    SolveWithoutFolds(mesh, options, half, [&](const Eigen::VectorXd&) { return larger; });
+  const FoldGuardReport way = SolveWithoutFolds(
+    mesh, options, half, [&](const Eigen::VectorXd&) { return Points(1.5 * mesh.P); });
   const double moved = (way.positions - mesh.P).rowwise().norm().maxCoeff();
   CHECK(way.blended && moved > 0.24 && moved <= 0.2501, "moved by " << moved << " of 0.25");
 }
