@@ -2,26 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LinearSystem.h"
 
+#include "Process.h"
 #include "TriangleMesh.h"
-
-#include <unistd.h>
 
 namespace SphericalStyle
 {
 namespace
 {
 constexpr int SmallestSingle = 20000; // rows; below, a solve takes no time worth halving
-
-double HalfOfMemory()
-{
-  return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-    static_cast<double>(sysconf(_SC_PAGESIZE));
-}
 }
 
 LinearSystem::LinearSystem(LinearMethod method)
   : Method(method)
-  , LargestFactor(HalfOfMemory())
+  , LargestFactor(0.5 * MemoryOfMachine())
 {
 }
 

@@ -5,14 +5,12 @@
 #ifndef SphericalStyle_AlignedArray_h
 #define SphericalStyle_AlignedArray_h
 
+#include "Process.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <new>
-
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
 
 namespace SphericalStyle
 {
@@ -35,22 +33,14 @@ public:
       const std::align_val_t alignment{ large ? HugePage : Alignment };
       this->Memory = { static_cast<T*>(::operator new(bytes, alignment)), { alignment } };
       this->Size = size;
-#ifdef MADV_HUGEPAGE
       if (large)
       {
-        madvise(this->Memory.get(), bytes / HugePage * HugePage, MADV_HUGEPAGE);
+        UseHugePages(this->Memory.get(), bytes / HugePage * HugePage);
       }
-#endif
     }
   }
-  T* Get() const
-  {
-    return this->Memory.get();
-  }
-  std::size_t GetSize() const
-  {
-    return this->Size;
-  }
+  T* Get() const { return this->Memory.get(); }
+  std::size_t GetSize() const { return this->Size; }
 
 private:
   static constexpr std::size_t Alignment = 64;

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Parallel.h"
 
+#include "Process.h"
 #include "Workers.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <thread>
-
-#ifdef __linux__
-#include <sched.h>
-#endif
 
 namespace SphericalStyle
 {
@@ -55,14 +52,7 @@ void ParallelTasks(int count, int threads, const std::function<void(int)>& body)
 int ThreadsOfThisProcess()
 {
   const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  int allowed = machine;
-#ifdef __linux__
-  cpu_set_t cores;
-  if (sched_getaffinity(0, sizeof(cores), &cores) == 0)
-  {
-    allowed = std::clamp(CPU_COUNT(&cores), 1, machine);
-  }
-#endif
+  const int allowed = CoresOfProcess(machine);
   // Set by Open MPI; by MPICH and Intel MPI; by MVAPICH.
   for (const char* name :
     { "OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS", "MV2_COMM_WORLD_LOCAL_SIZE" })

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Workers.h"
 
+#include "Process.h"
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -11,8 +13,6 @@
 #include <mutex>
 #include <thread>
 #include <vector>
-
-#include <unistd.h>
 
 namespace SphericalStyle
 {
@@ -107,7 +107,7 @@ public:
   }
 
   /// After a fork the threads, and whoever held the mutex, are with the parent.
-  bool AreOfAnotherProcess() const { return this->Process != getpid(); }
+  bool AreOfAnotherProcess() const { return this->Process != ProcessId(); }
 
 private:
   std::list<Job*>::iterator Post(Job& job, int others)
@@ -154,7 +154,7 @@ private:
     }
   }
 
-  const pid_t Process = getpid();
+  const long Process = ProcessId();
   std::mutex Mutex;
   std::condition_variable Posted; // a job, or the end
   std::condition_variable Left;   // the last thread has left a job
