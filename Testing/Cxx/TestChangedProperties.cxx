@@ -247,7 +247,6 @@ void Energy(Checker& check, vtkPolyData* input)
       { "hollows turned", [](Main* f) { f->SetConcaveEdgesToFlip(); } },
       { "hollows without targets", [](Main* f) { f->SetConcaveEdgesToZero(); } },
       { "hollows as they are", [](Main* f) { f->SetConcaveEdgesToKeep(); } },
-      { "no acceleration", [](Main* f) { f->AccelerationOff(); } },
       { "uniform weights", [](Main* f) { f->SetSphericalWeightingToUniform(); } },
       { "fewer iterations", [](Main* f) { f->SetMaximumNumberOfIterations(3); } },
       { "another radius",
@@ -264,6 +263,7 @@ void Energy(Checker& check, vtkPolyData* input)
           f->SetMaximumNumberOfIterations(500);
         } },
       { "nearer", [](Main* f) { f->SetTolerance(1e-8); } },
+      { "no acceleration", [](Main* f) { f->AccelerationOff(); } },
       { "rule of the thesis", [](Main* f) { f->SetStopRuleToThesis(); } },
       { "in closed form", [](Main* f) { f->SetSphericalWeightingToCotangent(); } },
       { "from rest", [](Main* f) { f->SetInitialGuessToRest(); } } });

@@ -619,16 +619,16 @@ void CenterOnPoint(Checker& check)
   const Surface input = MakeEllipsoid(LongAxes);
   for (const double blend : { 0.0, 0.5 })
   {
-    check.About("centre on point 17");
+    check.About("center on point 17");
     Tested filter;
     filter->SetDetailSize(0.0); // or the base has no point there
     filter->SetNormalBlend(blend);
     filter->SetCenterModeToCustom();
     filter->SetCenter(input->GetPoint(17));
     vtkPolyData* output = CheckSound(check, filter, input);
-    check(filter.Warnings.size() == 1 && Contains(filter.Warnings[0], "centre") &&
+    check(filter.Warnings.size() == 1 && Contains(filter.Warnings[0], "center") &&
         Contains(filter.Warnings[0], "point 17;"),
-      "one warning should name the centre and point 17");
+      "one warning should name the center and point 17");
     const auto first = Surface::New();
     first->DeepCopy(output);
     filter->Modified();
@@ -636,7 +636,7 @@ void CenterOnPoint(Checker& check)
     check.AtMost(LargestDistance(input, output), Diagonal(input), "movement");
   }
 
-  check.About("centre on two points at one place, which is also that of the mean");
+  check.About("center on two points at one place, which is also that of the mean");
   const Surface fan =
     MakeSurface({ { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 0 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, 0 } },
       { { 2, 0, 1 }, { 2, 1, 3 }, { 5, 3, 4 }, { 5, 4, 0 } });

@@ -270,7 +270,9 @@ check(views == {(port, "None") for port, _ in outputs[1:]}, f"views {views}")
 
 # A resource that is not there is no icon, without a word.
 menu = proxy.find("Hints/ShowInMenu")
-check(menu.get("category") == "Spherical Style" and menu.get("show_in_toolbar") == "1", "menu or toolbar")
+check(menu.get("category") == "Spherical Style", "menu")
+for_study = proxy.find("Documentation").get("short_help").startswith("For study")
+check((menu.get("show_in_toolbar") == "1") != for_study, "toolbar: what is for study stays in the menu")
 icon = menu.get("icon")
 icons = os.path.join(os.path.dirname(sys.argv[1]), "Icons")
 check(icon == f":/SphericalStyle/{xml_name}.svg", f"icon {icon}")
