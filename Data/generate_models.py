@@ -500,7 +500,7 @@ def MakeStoneHouse():
 def MakeCar():
     """Beetle-like car of separate panels, as exported by modelers that do not weld.
 
-    Neighbouring panels share the positions of their seam points but not the
+    Neighboring panels share the positions of their seam points but not the
     points. Crowded stations at the wheels and panels that span the whole width
     make slivers.
     """

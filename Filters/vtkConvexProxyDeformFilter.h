@@ -207,7 +207,7 @@ public:
 
   ///@{
   /**
-   * Where the centre O of the target sphere lies: PointMean (default; mean of the proxy's points),
+   * Where the center O of the target sphere lies: PointMean (default; mean of the proxy's points),
    * AreaCentroid (of the proxy's surface) or Custom (Center).
    */
   vtkSetClampMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
@@ -219,7 +219,7 @@ public:
 
   ///@{
   /**
-   * Centre O when CenterMode is Custom, in model coordinates. Default (0, 0, 0).
+   * Center O when CenterMode is Custom, in model coordinates. Default (0, 0, 0).
    */
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
@@ -346,7 +346,7 @@ public:
 
   ///@{
   /**
-   * Emphasis: factors that stretch the rounded proxy from the centre along x, y, z before it is
+   * Emphasis: factors that stretch the rounded proxy from the center along x, y, z before it is
    * blended. 1 is none, above 1 enlarges along that axis. Finite and 0 or more. Default (1, 1, 1).
    */
   vtkSetVector3Macro(AxisGain, double);
@@ -403,7 +403,7 @@ public:
    * for a proxy of your own); volume of the model over that of its hull (NaN if the model is not
    * closed, or the proxy your own or that of a region); triangles that turned over; points in each
    * ProjectionCase (NearestVertices); largest surplus of such a foot's distance over that of the
-   * closest point, as a fraction of the diagonal (NearestVertices); the centre and radius that were
+   * closest point, as a fraction of the diagonal (NearestVertices); the center and radius that were
    * used.
    */
   vtkGetMacro(EffectiveNumberOfProxyPoints, int);

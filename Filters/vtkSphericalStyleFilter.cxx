@@ -308,7 +308,7 @@ void vtkSphericalStyleFilter::Internals::Warn(vtkSphericalStyleFilter* self,
   }
   if (self->GenerateCellEnergy && report.closedForm)
   {
-    warn("GenerateCellEnergy: the result is in closed form, no energy was minimised, and there is "
+    warn("GenerateCellEnergy: the result is in closed form, no energy was minimized, and there is "
          "no array CellEnergy; SphericalWeighting Uniform minimizes one");
   }
   if (report.coarserGrid)
@@ -417,7 +417,7 @@ void vtkSphericalStyleFilter::Internals::AttachArrays(vtkSphericalStyleFilter* s
   if (self->GenerateCellEnergy)
   {
     const Eigen::VectorXd energies = solved ? this->Solver.GetCellEnergies() : Eigen::VectorXd();
-    if (!solved || energies.size() > 0) // none where nothing is minimised, see Warn
+    if (!solved || energies.size() > 0) // none where nothing is minimized, see Warn
     {
       AddPointArray(output, surface, "CellEnergy", VTK_DOUBLE, energies);
     }

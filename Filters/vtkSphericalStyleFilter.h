@@ -7,7 +7,7 @@
  * The output is the input with moved points. A smooth base of the model is blended with its target,
  * one ball or limbs that are round by their own thickness; details ride on the base and turn with
  * it; the result has the size of the model. All of it is in closed form: nothing iterates. The
- * energy of the thesis is minimised where its own ways are asked for (see SphericalWeighting).
+ * energy of the thesis is minimized where its own ways are asked for (see SphericalWeighting).
  *
  * Input port 0: vtkPolyData. Triangles, quads, polygons and strips take part in the solve
  * (triangulated inside, cells unchanged on output); lines, vertices and points of no face are
@@ -197,7 +197,7 @@ public:
 
   ///@{
   /**
-   * Blend a between the direction from the centre (0, one ball) and the normal of the base (1,
+   * Blend a between the direction from the center (0, one ball) and the normal of the base (1,
    * every limb round by itself, see NormalRadius). No unit. Range 0..1. Default 0.6.
    */
   vtkSetClampMacro(NormalBlend, double, 0.0, 1.0);
@@ -255,7 +255,7 @@ public:
 
   ///@{
   /**
-   * Where the centre O of the target sphere lies: AreaCentroid (default; the same for any sampling
+   * Where the center O of the target sphere lies: AreaCentroid (default; the same for any sampling
    * of the surface), PointMean (mean of the points that take part, coincident ones once; thesis) or
    * Custom (Center).
    */
@@ -268,7 +268,7 @@ public:
 
   ///@{
   /**
-   * Centre O when CenterMode is Custom, in model coordinates. Surface near O becomes rounder;
+   * Center O when CenterMode is Custom, in model coordinates. Surface near O becomes rounder;
    * outside the model it makes the facing side concave. Default (0, 0, 0).
    */
   vtkSetVector3Macro(Center, double);
@@ -438,7 +438,7 @@ public:
 
   ///@{
   /**
-   * Facts of the last execution: the centre and radius that were used (model coordinates and
+   * Facts of the last execution: the center and radius that were used (model coordinates and
    * length; of the lowest id with several).
    */
   vtkGetVector3Macro(EffectiveCenter, double);

@@ -57,7 +57,7 @@ def apply_preset(name, source=None):
 def show_energy_chart(source=None):
     """Energy over the iterations, in a chart beside the active view. @return the chart's view
 
-    A result in closed form minimises nothing: the chart is then empty, and its title says so."""
+    A result in closed form minimizes nothing: the chart is then empty, and its title says so."""
     style = find_style(source)
     view = _render_view()
     _show(style, view)

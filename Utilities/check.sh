@@ -2,19 +2,17 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# usage: Utilities/check.sh [--fix] [--quick | --tidy] [--since REF] [--seconds N] [--american] [--prose]
+# usage: Utilities/check.sh [--fix] [--quick | --tidy] [--since REF] [--seconds N]
 #
-# Layers, format, spelling, shell scripts, YAML, documentation, and clang-tidy of our own C++: everything in
-# the repository. Exit code 1 if something is wrong, or if a tool is missing (Utilities/setup.sh --checks).
+# Layers, format, American spelling, shell scripts, YAML, documentation, columns of pages, and clang-tidy of our own
+# C++: everything in the repository. Exit code 1 if something is wrong, or if a tool is missing
+# (Utilities/setup.sh --checks).
 #   --fix        correct the format first
 #   --quick      without clang-tidy: seconds
 #   --tidy       clang-tidy and nothing else
 #   --since REF  clang-tidy only of what changed since that commit, and of what includes it
 #   --seconds N  clang-tidy begins no further file after that time; it says which ones are left
-#   --american   also words of British spelling
-#   --prose      also lines of 120 columns and more in pages
-# The last two are not yet the default: older pages and comments are being changed. clang-tidy works in build-dev/,
-# which is configured here; nothing has to be built.
+# clang-tidy works in build-dev/, which is configured here; nothing has to be built.
 #
 # A source takes clang-tidy 24 s of processor time (mean of 60 of the 167, clang-tidy 14), so all of them about 33
 # minutes with two processes: it matches its checks against all that VTK, Eigen and CGAL declare, and no check alone takes
@@ -29,14 +27,12 @@ usage()
   sed -n '/^# usage:/,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
 }
 
-fix='' quick='' tidy='' american='' prose='' tidy_options=()
+fix='' quick='' tidy='' tidy_options=()
 while [ $# -gt 0 ]; do
   case $1 in
     --fix) fix=1 ;;
     --quick) quick=1 ;;
     --tidy) tidy=1 ;;
-    --american) american=1 ;;
-    --prose) prose=1 ;;
     --since | --seconds)
       [ $# -gt 1 ] || { usage >&2; exit 2; }
       tidy_options+=("$1" "$2")
@@ -123,9 +119,7 @@ format()
 spelling()
 {
   files ':!*.png' ':!*.vtp' ':!*.ply' ':!*.stl' ':!*.svg' ':!Testing/Fuzz/Corpus'
-  local options=()
-  [ -z "$american" ] || options=(--builtin="clear,rare,en-GB_to_en-US")
-  codespell "${options[@]}" "${found[@]}"
+  codespell "${found[@]}"
 }
 
 scripts()
@@ -163,13 +157,13 @@ documentation()
   Utilities/docs.sh "$scratch/site"
 }
 
-# Not in code, tables, and lines that are a link or an address.
-prose_lines()
+# Lines of pages, but for code, tables and lines that are a link or an address.
+columns()
 {
   files '*.md'
   awk 'FNR == 1 { fence = 0 }
     /^```/ { fence = !fence }
-    !fence && length($0) >= 120 && !/^(\||    |!?\[|<?https?:)/ { print FILENAME ":" FNR ": " length($0) " columns"; bad = 1 }
+    !fence && length($0) >= 120 && !/^( *\||    |!?\[|<?https?:)/ { print FILENAME ":" FNR ": " length($0) " columns"; bad = 1 }
     END { exit bad }' "${found[@]}" >&2
 }
 
@@ -191,7 +185,7 @@ if [ -z "$tidy" ]; then
   check "scripts" scripts
   check "YAML" yaml
   check "documentation" documentation
-  [ -z "$prose" ] || check "prose" prose_lines
+  check "columns" columns
 fi
 [ -n "$quick" ] || check "clang-tidy" run_tidy
 exit $status

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rounds a model and shows it beside the result, both coloured by mean curvature.
+// Rounds a model and shows it beside the result, both colored by mean curvature.
 #include "vtkSphericalStyleFilter.h"
 
 #include "vtkActor.h"
@@ -108,7 +108,7 @@ vtkSmartPointer<vtkPolyData> Read(const std::string& file)
   return reader != readers.end() ? reader->second(file) : nullptr;
 }
 
-/// The left (0) or right (1) half of the window: a surface in the colours of its mean curvature.
+/// The left (0) or right (1) half of the window: a surface in the colors of its mean curvature.
 vtkRenderer* AddHalf(
   vtkRenderWindow* window, int side, vtkPolyData* surface, vtkScalarsToColors* colors)
 {
@@ -136,7 +136,7 @@ vtkRenderer* AddHalf(
 
 void Show(vtkSphericalStyleFilter* style, vtkPolyData* model, const std::string& picture)
 {
-  // The same colours on both sides; a sphere of the filter's radius r has mean curvature 1 / r.
+  // The same colors on both sides; a sphere of the filter's radius r has mean curvature 1 / r.
   const double range = 5.0 / style->GetEffectiveRadius();
   vtkNew<vtkColorTransferFunction> colors;
   colors->SetColorSpaceToDiverging();

@@ -94,7 +94,7 @@ def soft_light(renderer):
 
 
 def add_text(renderer, text, x, y, points, font=None):
-    """Centred at the fraction (x, y) of the renderer's part of the window. font: a TrueType file."""
+    """Centered at the fraction (x, y) of the renderer's part of the window. font: a TrueType file."""
     actor = vtkTextActor()
     actor.SetInput(text)
     actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()

@@ -21,7 +21,7 @@ KINDS = {"spokes": "spokes, full weights", "rims": "spokes and rims, full weight
                         "a rotation of what they were.",
                 "A2.2": "A cell of spokes and rims holds all edges of the triangles at a point: an "
                         "inner edge counts twice for each end and once for each opposite point.",
-                "A2.3": "Spokes alone may lead to artefacts, as their energy can be indefinite."})
+                "A2.3": "Spokes alone may lead to artifacts, as their energy can be indefinite."})
 def cells(section, context):
     section.text("The energies are summed and lowered here with small dense matrices, as the filter "
                  "holds no points to pull at. Its cells are spokes and rims, and spokes alone with the "

@@ -164,7 +164,7 @@ def _contoured(field, low, high, cells):
 
 
 def _relaxed(field, positions, faces, small, steps=20):
-    """Points at the mean of their neighbours, back on the surface field = 0 after each step."""
+    """Points at the mean of their neighbors, back on the surface field = 0 after each step."""
     ends = np.concatenate([faces, np.roll(faces, 1, axis=1)], axis=1)
     starts = np.concatenate([np.roll(faces, 1, axis=1), faces], axis=1)
     count = np.bincount(starts.ravel(), minlength=len(positions))[:, None]

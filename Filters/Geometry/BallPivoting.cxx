@@ -35,7 +35,7 @@ constexpr double AngleSlack = 1e-7;
 /// Radius below which rounding of the coordinates decides, as a fraction of the largest coordinate.
 constexpr double SmallestRadius = 1e-11;
 /// A seed is made of a point and two of its nearest this many.
-constexpr std::size_t SeedNeighbours = 24;
+constexpr std::size_t SeedNeighbors = 24;
 
 /// Points by cells of a uniform grid.
 class Grid
@@ -95,7 +95,7 @@ private:
 };
 
 /// The triangles so far. Joining and gluing of fronts needs no steps of its own: an edge is on a
-/// front as long as its triangle has no neighbour in the opposite direction.
+/// front as long as its triangle has no neighbor in the opposite direction.
 class Surface
 {
 public:
@@ -202,13 +202,13 @@ public:
   const Surface& GetMesh() const { return this->Mesh; }
 
 private:
-  /// Edge of a triangle that still lacks its neighbour, in the direction of the triangle, and the
-  /// centre of the ball that lies on the triangle.
+  /// Edge of a triangle that still lacks its neighbor, in the direction of the triangle, and the
+  /// center of the ball that lies on the triangle.
   struct Edge
   {
     int from;
     int to;
-    Vector centre;
+    Vector center;
   };
   struct Hit
   {
@@ -221,13 +221,13 @@ private:
   };
 
   void FindNear(const Vector& place);
-  bool IsEmpty(const Vector& centre, int a, int b, int c) const;
+  bool IsEmpty(const Vector& center, int a, int b, int c) const;
   std::optional<Vector> BallOn(int a, int b, int c) const;
   Vector NormalOf(int a, int b, int c) const;
   bool AgreesAtOne(int a, int b, int c) const;
   bool AgreesAtAll(int a, int b, int c) const;
 
-  void Add(int a, int b, int c, const Vector& centre);
+  void Add(int a, int b, int c, const Vector& center);
   void ResumeBorder();
   void RollFront();
   bool Pivot(const Edge& edge);
@@ -260,15 +260,15 @@ void Pivoting::FindNear(const Vector& place)
   }
 }
 
-bool Pivoting::IsEmpty(const Vector& centre, int a, int b, int c) const
+bool Pivoting::IsEmpty(const Vector& center, int a, int b, int c) const
 {
   const double inner = this->Radius * this->Radius * (1.0 - 2.0 * Slack);
   return std::none_of(this->Near.begin(), this->Near.end(),
     [&](int id)
-    { return id != a && id != b && id != c && (this->P[id] - centre).squaredNorm() < inner; });
+    { return id != a && id != b && id != c && (this->P[id] - center).squaredNorm() < inner; });
 }
 
-/// Centre of the ball that touches the corners from the side that sees them counterclockwise.
+/// Center of the ball that touches the corners from the side that sees them counterclockwise.
 std::optional<Vector> Pivoting::BallOn(int a, int b, int c) const
 {
   const Vector u = this->P[b] - this->P[a];
@@ -279,14 +279,14 @@ std::optional<Vector> Pivoting::BallOn(int a, int b, int c) const
   {
     return std::nullopt;
   }
-  const Vector toCentre =
+  const Vector toCenter =
     (u.squaredNorm() * v.cross(n) + v.squaredNorm() * n.cross(u)) / (2.0 * nn);
-  const double height = this->Radius * this->Radius - toCentre.squaredNorm();
+  const double height = this->Radius * this->Radius - toCenter.squaredNorm();
   if (!(height >= 0.0))
   {
     return std::nullopt;
   }
-  return this->P[a] + toCentre + std::sqrt(height / nn) * n;
+  return this->P[a] + toCenter + std::sqrt(height / nn) * n;
 }
 
 Vector Pivoting::NormalOf(int a, int b, int c) const
@@ -310,14 +310,14 @@ bool Pivoting::AgreesAtAll(int a, int b, int c) const
     n.dot(this->Normals[c]) > 0.0;
 }
 
-void Pivoting::Add(int a, int b, int c, const Vector& centre)
+void Pivoting::Add(int a, int b, int c, const Vector& center)
 {
   this->Mesh.Add(a, b, c);
   for (const auto& [from, to] : { std::pair(a, b), std::pair(b, c), std::pair(c, a) })
   {
     if (this->Mesh.Apex(to, from) < 0)
     {
-      this->Front.push_back({ from, to, centre });
+      this->Front.push_back({ from, to, center });
     }
   }
 }
@@ -333,11 +333,11 @@ void Pivoting::ResumeBorder()
       continue; // another edge's ball has closed it
     }
     const int apex = this->Mesh.Apex(edge.from, edge.to);
-    const std::optional<Vector> centre = this->BallOn(edge.from, edge.to, apex);
+    const std::optional<Vector> center = this->BallOn(edge.from, edge.to, apex);
     this->FindNear(this->P[edge.from]);
-    if (centre && this->IsEmpty(*centre, edge.from, edge.to, apex))
+    if (center && this->IsEmpty(*center, edge.from, edge.to, apex))
     {
-      edge.centre = *centre;
+      edge.center = *center;
       this->Front.push_back(edge);
     }
     else
@@ -368,10 +368,10 @@ bool Pivoting::Pivot(const Edge& edge)
   const int j = edge.to;
   const Vector middle = 0.5 * (this->P[i] + this->P[j]);
   const Vector axis = (this->P[j] - this->P[i]).normalized();
-  // The centre moves on a circle around the middle: start + angle 0 at u, a quarter turn on at v.
+  // The center moves on a circle around the middle: start + angle 0 at u, a quarter turn on at v.
   const double quarter = 0.25 * (this->P[j] - this->P[i]).squaredNorm();
   const double rho = std::sqrt(std::max(0.0, this->Radius * this->Radius - quarter));
-  const Vector start = edge.centre - middle;
+  const Vector start = edge.center - middle;
   const Vector u = (start - axis.dot(start) * axis).normalized();
   const Vector v = axis.cross(u);
   if (!(rho > SamePlace * this->Radius))
@@ -402,12 +402,12 @@ bool Pivoting::Pivot(const Edge& edge)
   return std::any_of(this->Hits.begin(), this->Hits.end(),
     [&](const Hit& hit)
     {
-      const Vector centre = middle + rho * (std::cos(hit.angle) * u + std::sin(hit.angle) * v);
+      const Vector center = middle + rho * (std::cos(hit.angle) * u + std::sin(hit.angle) * v);
       const bool fits = this->Mesh.CanAdd(j, i, hit.id) && this->AgreesAtOne(j, i, hit.id) &&
-        this->IsEmpty(centre, i, j, hit.id);
+        this->IsEmpty(center, i, j, hit.id);
       if (fits)
       {
-        this->Add(j, i, hit.id, centre);
+        this->Add(j, i, hit.id, center);
       }
       return fits;
     });
@@ -423,12 +423,12 @@ bool Pivoting::TrySeed(int a, int b, int c)
   {
     return false;
   }
-  const std::optional<Vector> centre = this->BallOn(a, b, c);
-  if (!centre || !this->IsEmpty(*centre, a, b, c))
+  const std::optional<Vector> center = this->BallOn(a, b, c);
+  if (!center || !this->IsEmpty(*center, a, b, c))
   {
     return false;
   }
-  this->Add(a, b, c, *centre);
+  this->Add(a, b, c, *center);
   return true;
 }
 
@@ -444,7 +444,7 @@ bool Pivoting::Seed(int point)
       nearest.emplace_back((this->P[id] - this->P[point]).squaredNorm(), id);
     }
   }
-  const std::size_t count = std::min(nearest.size(), SeedNeighbours);
+  const std::size_t count = std::min(nearest.size(), SeedNeighbors);
   std::partial_sort(
     nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(count), nearest.end());
   for (std::size_t second = 1; second < count; ++second)

@@ -37,9 +37,9 @@ constexpr std::size_t MostForDelaunay = 5000;
 /// Axes of the points around their mean, the longest extent first.
 Points PrincipalCoordinates(const Points& P)
 {
-  const Points centred = P.rowwise() - P.colwise().mean();
-  const double largest = centred.cwiseAbs().maxCoeff();
-  const Points unit = largest > 0.0 ? Points(centred / largest) : centred;
+  const Points centered = P.rowwise() - P.colwise().mean();
+  const double largest = centered.cwiseAbs().maxCoeff();
+  const Points unit = largest > 0.0 ? Points(centered / largest) : centered;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(unit.transpose() * unit);
   return unit * axes.eigenvectors().rowwise().reverse();
 }
@@ -52,7 +52,7 @@ int Dimension(const Points& principal)
 }
 
 /// Takes out corners of a convex polygon that rounding alone put off the line between their
-/// neighbours: their triangles would have no area.
+/// neighbors: their triangles would have no area.
 void DropCornersOnLines(std::vector<int>& corners, const Points& principal)
 {
   const double least =
@@ -194,7 +194,7 @@ bool IsNoise(const SurfaceMesh& mesh, SurfaceMesh::Vertex_index v, double extent
   return false;
 }
 
-/// The hull of the corners without those that are noise. Of neighbours one goes at a time, so that
+/// The hull of the corners without those that are noise. Of neighbors one goes at a time, so that
 /// round surfaces of many points keep their shape.
 SurfaceMesh HullWithoutNoise(std::vector<Point3> corners, double extent)
 {

@@ -80,7 +80,7 @@ struct ProxyDeformationReport
 /// |-------------------------------------|------------------------------------|
 /// | points of the model, mesher, number | all                                |
 /// | seed, own proxy, hull points        | all                                |
-/// | roundness, centre, radius           | rounding, transfer                 |
+/// | roundness, center, radius           | rounding, transfer                 |
 /// | projection, normals, directions     | projection, transfer               |
 /// | t, transfer, gain                   | transfer                           |
 class ProxyDeformation

@@ -20,7 +20,7 @@ Matrices RotationsAtFeet(const DeformedProxy& proxy, const Feet& feet, int threa
         {
           mean += feet.barycentric(i, k) * proxy.rotations[proxy.rest.F(feet.cell[i], k)];
         }
-        R[i] = ClosestRotation(mean.transpose()); // maximises tr(R mean^T)
+        R[i] = ClosestRotation(mean.transpose()); // maximizes tr(R mean^T)
       }
     });
   return R;

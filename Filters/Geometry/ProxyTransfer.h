@@ -30,7 +30,7 @@ struct TransferOptions
 {
   Transfer transfer = Transfer::Blend;
   /// Emphasis (thesis Fig. 5.5): the rounded proxy is stretched by these factors along x, y, z from
-  /// the centre before anything is blended.
+  /// the center before anything is blended.
   Eigen::Vector3d gain = Eigen::Vector3d::Ones();
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
 };

@@ -557,14 +557,14 @@ Eigen::Vector3d ClosestBarycentric(
   return best;
 }
 
-// All of it in coordinates around the centre, with a half diagonal between 1 and 2: limits need no
+// All of it in coordinates around the center, with a half diagonal between 1 and 2: limits need no
 // unit, and a proxy far from the origin loses nothing. Coefficients do not change.
 class SurfaceProjection::State
 {
 public:
   explicit State(const TriangleMesh& proxy)
   {
-    this->Normalise(proxy);
+    this->Normalize(proxy);
     this->MakeFacets(proxy.F);
     this->BuildTrees(proxy.F);
     this->Clusters = MakeClusters(this->Facets, this->Cells);
@@ -603,7 +603,7 @@ public:
   }
 
 private:
-  void Normalise(const TriangleMesh& proxy);
+  void Normalize(const TriangleMesh& proxy);
   void MakeFacets(const Triangles& F);
   void BuildTrees(const Triangles& F);
 
@@ -630,7 +630,7 @@ private:
   std::unique_ptr<PointSearch::Tree> PointTree;
 };
 
-void SurfaceProjection::State::Normalise(const TriangleMesh& proxy)
+void SurfaceProjection::State::Normalize(const TriangleMesh& proxy)
 {
   Vector3d low = Vector3d::Constant(Infinity);
   Vector3d high = -low;

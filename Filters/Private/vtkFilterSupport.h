@@ -24,11 +24,11 @@ namespace vtkFilterSupport
 /// @throw std::invalid_argument "name must be ...; it is value"
 void Require(bool good, const char* name, const char* must, double value);
 
-/// Centre and radius where they are the user's own.
+/// Center and radius where they are the user's own.
 /// @param center, radius  nullptr when they are not @throw std::invalid_argument
 void RequireSphere(const double* center, const double* radius);
 
-/// Roundness, and centre and radius where they are the user's own.
+/// Roundness, and center and radius where they are the user's own.
 /// @param center, radius  nullptr when they are not @throw std::invalid_argument
 void RequireTarget(double roundness, const double* center, const double* radius);
 

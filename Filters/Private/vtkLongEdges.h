@@ -5,7 +5,7 @@
 /// Private.
 ///
 /// VTK's vtkAdaptiveSubdivisionFilter splits, every triangle on its own: what happens to an edge
-/// depends on its length alone, so neighbours agree. Used as it is, it would number the new points
+/// depends on its length alone, so neighbors agree. Used as it is, it would number the new points
 /// by their coordinates, and the two sides of a texture seam, or panels that touch, would get one
 /// point in common with the texture coordinates of one of them. Here a new point is numbered by the
 /// points that it lies between: triangles that share an edge share its points, whether one, two or

@@ -106,7 +106,7 @@ inline void AddArrays(vtkPolyData* surface)
 {
   const vtkIdType n = surface->GetNumberOfPoints();
   vtkPointData* points = surface->GetPointData();
-  points->AddArray(MakeAny<vtkUnsignedCharArray>("colours", n, 4));
+  points->AddArray(MakeAny<vtkUnsignedCharArray>("colors", n, 4));
   points->SetNormals(MakeAny<vtkFloatArray>("my normals", n, 3));
   points->AddArray(MakeAny<vtkShortArray>("shorts", n, 2));
   points->SetScalars(MakeAny<vtkDoubleArray>("scalars", n, 1));

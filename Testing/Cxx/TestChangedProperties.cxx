@@ -213,7 +213,7 @@ void Arrays(Checker& check, vtkPolyData* input)
       { "a region with two centers", Choose(4, "region") }, { "one center", Choose(5, "") } });
 }
 
-/// What minimising an energy keeps: factor, pulls, weights, and what details on it keep.
+/// What minimizing an energy keeps: factor, pulls, weights, and what details on it keep.
 void Energy(Checker& check, vtkPolyData* input)
 {
   const auto begin = [](Main* f)

@@ -592,7 +592,7 @@ void Facts(Checker& check)
   }
   Vector center;
   filter->GetEffectiveCenter(center.data());
-  check.AtMost(Distance(mean, center), 1e-12, "centre off the mean point of the proxy");
+  check.AtMost(Distance(mean, center), 1e-12, "center off the mean point of the proxy");
   filter->SetRadiusModeToCustom();
   filter->SetRadius(3.25);
   filter->SetCenterModeToCustom();
@@ -601,7 +601,7 @@ void Facts(Checker& check)
   filter->GetEffectiveCenter(center.data());
   check(std::abs(filter->GetEffectiveRadius() - 3.25) < 1e-14 &&
       Distance(center, { 0.1, 0.2, 0.3 }) < 1e-14,
-    "custom centre and radius should be those used");
+    "custom center and radius should be those used");
 
   check.About("seconds");
   const auto seconds = [&](int k)

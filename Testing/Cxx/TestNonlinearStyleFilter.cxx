@@ -249,10 +249,10 @@ void Errors(Checker& check, vtkPolyData* model)
       }
     }
   };
-  // The last point has 700 neighbours, each with a dense row.
+  // The last point has 700 neighbors, each with a dense row.
   const Surface fan = MakeEllipsoid({ 1.0, 1.0, 0.5 }, Faces::Triangles, 700, 3);
   fails("as written, dense rows", fan, [](F* f) { f->SetCenterConstraintToAsWritten(); },
-    { "AsWritten", "2102 points", "700 neighbours", "Corrected" });
+    { "AsWritten", "2102 points", "700 neighbors", "Corrected" });
   fails("no such normals", model,
     [](F* f) { f->SetInputArrayToProcess(Normals, 0, 0, OfPoints, "mine"); },
     { "ormals", "\"mine\"" });

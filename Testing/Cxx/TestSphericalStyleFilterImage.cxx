@@ -17,7 +17,7 @@ using namespace FilterTesting;
 
 namespace
 {
-void AddToScene(vtkRenderer* renderer, vtkAlgorithmOutput* surface, double x, const Vector& colour)
+void AddToScene(vtkRenderer* renderer, vtkAlgorithmOutput* surface, double x, const Vector& color)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(surface);
@@ -25,7 +25,7 @@ void AddToScene(vtkRenderer* renderer, vtkAlgorithmOutput* surface, double x, co
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->SetPosition(x, 0.0, 0.0);
-  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   renderer->AddActor(actor);
 }
 }

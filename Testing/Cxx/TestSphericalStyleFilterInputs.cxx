@@ -233,7 +233,7 @@ void SeveralComponents(Checker& check)
   check(stitches(plate, "NumberOfWallStitches") > 0.0, "a plate should have stitches through it");
   check(stitches(plate) == 0.0, "a plate is one part");
   plate->SetSphericalWeightingToUniform();
-  check(stitches(plate, "NumberOfWallStitches") > 0.0, "where an energy is minimised too");
+  check(stitches(plate, "NumberOfWallStitches") > 0.0, "where an energy is minimized too");
 
   Tested anchored(input);
   anchored->SetAnchorToLastPoint();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// What must not change the result: place, scale and orientation of the model, the order of its
 /// points and cells, a seam, the number of threads, what the filter did before. In closed form,
-/// with details and without, and where an energy is minimised.
+/// with details and without, and where an energy is minimized.
 #include "FilterTesting.h"
 
 #include <numeric>
@@ -295,7 +295,7 @@ private:
     back("another Roundness");
     filter->SetCenterModeToCustom();
     filter->SetCenter(Model->GetPoint(0));
-    back("another centre");
+    back("another center");
     filter->SetNormalBlend(0.5);
     back("a NormalBlend");
     filter->SetNormalBlend(0.8);

@@ -422,7 +422,7 @@ void Arrays(Checker& check)
     check(array->GetDataType() == in->GetAbstractArray(k)->GetDataType(), "type of " + name);
     check(name == "short" || array->GetNumberOfTuples() == n, "size of " + name);
     const bool blended =
-      array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE || name == "colours";
+      array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE || name == "colors";
     std::set<std::string> values; // of the input
     for (vtkIdType i = 0; i < in->GetAbstractArray(k)->GetNumberOfValues(); ++i)
     {

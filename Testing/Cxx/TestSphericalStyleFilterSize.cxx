@@ -500,7 +500,7 @@ void NothingMoves(Checker& check)
     filter->Modified();
     check(SamePoints(model, filter.Output()), "the points should keep their bits");
 
-    // Where an energy is minimised, rounding may move them.
+    // Where an energy is minimized, rounding may move them.
     for (const auto& [method, set] : Methods())
     {
       if (Contains(method, "long edges"))

@@ -250,7 +250,7 @@ void Pair(Checker& check)
   m.Expect(check, "DihedralChange", 0.0, 1e-5);
 }
 
-/// One point of a fine sheet pulled across its neighbours, and the sheet turned.
+/// One point of a fine sheet pulled across its neighbors, and the sheet turned.
 void TurnedOver(Checker& check)
 {
   check.About("a fold in a sheet");
@@ -272,7 +272,7 @@ void TurnedOver(Checker& check)
   }
   const Surface before = MakeSurface(x, triangles);
   const vtkIdType middle = 5 * k + 5;
-  x[middle][0] += 1.5; // beyond its neighbour
+  x[middle][0] += 1.5; // beyond its neighbor
   const Surface after = Mapped(MakeSurface(x, triangles), Turn);
   WatchedMetrics m(after, before);
   m.ExpectSilence(check);

@@ -129,22 +129,22 @@ bool AreEdgesManifold(const Triangles& F)
 
 // How far a point reaches into the ball on a triangle, as a fraction of the radius. The points are
 // moved by 1e-7 of it before the ball rolls; when the ball just fits between the three corners its
-// centre moves by the square root of that.
+// center moves by the square root of that.
 double Intrusion(const Points& P, const Eigen::RowVector3i& t, double radius)
 {
   const Vector3d a = At(P, t[0]);
   const Vector3d u = At(P, t[1]) - a;
   const Vector3d v = At(P, t[2]) - a;
   const Vector3d n = u.cross(v);
-  const Vector3d toCentre =
+  const Vector3d toCenter =
     (u.squaredNorm() * v.cross(n) + v.squaredNorm() * n.cross(u)) / (2.0 * n.squaredNorm());
-  const double height = radius * radius - toCentre.squaredNorm();
+  const double height = radius * radius - toCenter.squaredNorm();
   if (height < -1e-6 * radius * radius)
   {
     return 1.0;
   }
-  const Vector3d centre = a + toCentre + std::sqrt(std::max(0.0, height)) * n.normalized();
-  const double nearest = (P.rowwise() - centre.transpose()).rowwise().norm().minCoeff();
+  const Vector3d center = a + toCenter + std::sqrt(std::max(0.0, height)) * n.normalized();
+  const double nearest = (P.rowwise() - center.transpose()).rowwise().norm().minCoeff();
   return 1.0 - nearest / radius;
 }
 

@@ -276,7 +276,7 @@ void TestHulls()
   CheckHull("cube", cube, 8.0, 1e-15);
   CheckHull("cube with many points on its faces", Meshes::Box(12).P, 8.0, 1e-14);
   CheckHull("tetrahedron", Meshes::Tetrahedron().P, 8.0 / 3.0, 1e-15);
-  CheckHull("points of the cube twice and its centre",
+  CheckHull("points of the cube twice and its center",
     (Points(17, 3) << cube, cube, Points::Zero(1, 3)).finished(), 8.0, 1e-15);
   Meshes::Random random(9);
   for (int k = 0; k < 20; ++k)

@@ -511,7 +511,7 @@ std::vector<Change> Changes()
   }
   for (int k = 0; k < 3; ++k)
   {
-    all.push_back({ "centre mode " + std::to_string(k),
+    all.push_back({ "center mode " + std::to_string(k),
       set([k](O& o) { o.style.centerMode = static_cast<CenterMode>(k); }) });
     all.push_back({ "radius mode " + std::to_string(k),
       set(
@@ -526,7 +526,7 @@ std::vector<Change> Changes()
   }
   for (const double x : { 0.0, 0.2 })
   {
-    all.push_back({ "custom centre " + std::to_string(x),
+    all.push_back({ "custom center " + std::to_string(x),
       set([x](O& o) { o.style.custom.center = Vector3d(x, 0.1, -x); }) });
     all.push_back({ "custom radius " + std::to_string(1.0 + x),
       set([x](O& o) { o.style.custom.radius = 1.0 + x; }) });
@@ -720,7 +720,7 @@ std::vector<Change> Mistakes()
 {
   return { { "lambda NaN", [](Job& job) { job.options.style.lambda = NaN; } },
     { "lambda below 0", [](Job& job) { job.options.style.lambda = -1.0; } },
-    { "centre NaN",
+    { "center NaN",
       [](Job& job)
       {
         job.options.style.centerMode = CenterMode::Custom;
@@ -896,7 +896,7 @@ void TestStages()
     { "triangles of the model", [](Job& job) { job.model.F = job.model.F.topRows(9).eval(); },
       false, false, false },
     { "roundness", [](Job& job) { job.options.style.lambda = 1.0; }, false, true, false },
-    { "centre", [](Job& job) { job.options.style.centerMode = CenterMode::AreaCentroid; }, false,
+    { "center", [](Job& job) { job.options.style.centerMode = CenterMode::AreaCentroid; }, false,
       true, false },
     { "radius", [](Job& job) { job.options.style.radiusMode = RadiusMode::EqualVolume; }, false,
       true, false },

@@ -201,7 +201,7 @@ void TestByHand()
   const Meshes::Vector away(0, 0, -1.0 - 1e-15);
   CHECK(SelfIntersections(Together(still, Moved(spike, away))).empty(), "a tip above a face");
 
-  // A strip of two squares folded flat: neighbours at the fold overlap, and so do the others.
+  // A strip of two squares folded flat: neighbors at the fold overlap, and so do the others.
   TriangleMesh strip =
     Meshes::Make({ { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 2, 0, 0 }, { 2, 1, 0 } },
       { { 0, 2, 1 }, { 2, 3, 1 }, { 2, 4, 3 }, { 4, 5, 3 } });

@@ -14,7 +14,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
-# What makes vtkSphericalStyleFilter the energy of the thesis' chapter 4, minimised; the rest is by default.
+# What makes vtkSphericalStyleFilter the energy of the thesis' chapter 4, minimized; the rest is by default.
 ENERGY = dict(Roundness=0.5, NormalBlend=0.0, DetailSize=0.0, NormalRadius=1, KeepSize=0, RefineLongEdges=0,
               SphericalWeighting=0)
 checks = 0

@@ -166,8 +166,8 @@ def spread(x, F):
     """Standard deviation over mean of the distances from the area centroid, by area."""
     area = 0.5 * np.linalg.norm(np.cross(x[F[:, 1]] - x[F[:, 0]], x[F[:, 2]] - x[F[:, 0]]), axis=1)
     middle = x[F].mean(axis=1)
-    centre = np.average(middle, axis=0, weights=area)
-    radius = np.linalg.norm(middle - centre, axis=1)
+    center = np.average(middle, axis=0, weights=area)
+    radius = np.linalg.norm(middle - center, axis=1)
     mean = np.average(radius, weights=area)
     return np.sqrt(np.average((radius - mean) ** 2, weights=area)) / mean
 
@@ -271,7 +271,7 @@ def region():
             check(same[~high].all(), "points outside keep their bits")
             check((~same[high]).mean() > 0.5, "points inside move")
             jump = np.degrees(np.abs(dihedral_angles(q.astype(float), F) - before))
-            print(f"  creature's upper part, t {t:g}, border {width:g}: normals of neighbouring triangles jump by up to "
+            print(f"  creature's upper part, t {t:g}, border {width:g}: normals of neighboring triangles jump by up to "
                   f"{jump[border].max():.2f} degrees more at the border")
             check(width < 0.2 or jump[border].max() < (1.0 if width == 0.3 else 3.0), "no visible crease at the border")
 
@@ -283,11 +283,11 @@ def house():
     x, F = points(surface), triangles(surface)
     before = dihedral_angles(x, F)
     proxied = points(proxy_deform(surface).GetOutput())
-    centre = x.mean(axis=0)
-    offset = x - centre
+    center = x.mean(axis=0)
+    offset = x - center
     length = np.linalg.norm(offset, axis=1)
     for t in (0.5,):
-        sphere = centre + (t + (1.0 - t) * length.max() / length)[:, None] * offset
+        sphere = center + (t + (1.0 - t) * length.max() / length)[:, None] * offset
 
         def change(q):
             turned = dihedral_angles(q, F) - before

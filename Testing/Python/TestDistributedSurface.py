@@ -130,7 +130,7 @@ def in_slices(whole, processes=RANKS):
 
 
 def scattered(whole):
-    """Neighbouring cells on different processes, everywhere."""
+    """Neighboring cells on different processes, everywhere."""
     return np.random.default_rng(1).integers(0, RANKS, whole.GetNumberOfCells())
 
 
@@ -244,7 +244,7 @@ def check_one_surface():
     first, last = np.zeros(creature.GetNumberOfCells(), int), np.full(creature.GetNumberOfCells(), RANKS - 1)
     check_spread("slices", Style, creature, in_slices(creature))
     check_spread("slices, details flattened", Style, creature, in_slices(creature), DetailSize=0.0)
-    check_spread("slices, minimised", Style, creature, in_slices(creature), **ITERATES)
+    check_spread("slices, minimized", Style, creature, in_slices(creature), **ITERATES)
     check_spread("scattered cells", Style, creature, scattered(creature), **ITERATES)
     check_spread("ghost cells", Style, creature, in_slices(creature), ghost_levels=1, **ITERATES)
     check_spread("two layers of ghost cells, scattered", Style, small, scattered(small), ghost_levels=2)

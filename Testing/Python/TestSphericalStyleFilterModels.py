@@ -159,16 +159,16 @@ def sphere():
     high = rest[:, 2].max()
     middle = rest[:, :2].mean(axis=0)
     top = np.flatnonzero(rest[:, 2] == high)
-    centre = top[np.argmin(((rest[top, :2] - middle) ** 2).sum(1))]
+    center = top[np.argmin(((rest[top, :2] - middle) ** 2).sum(1))]
     corners = top[np.argsort(-((rest[top, :2] - middle) ** 2).sum(1))[:4]]
     half = (high - rest[:, 2].min()) / 2
     for z in (-0.6, 0.0, 0.6, 0.9, 1.5, 3.0):
         o = (middle[0], middle[1], high - half + 2 * half * z / 2)
         f = style(box, Roundness=2.0, CenterMode=2, Center=o)
         q = points(f.GetOutput())
-        sag = (q[centre, 2] - q[corners, 2].mean()) / f.GetEffectiveRadius()
-        print(f"  cube, centre at {z:4g} half heights: sag of the top / r = {sag:6.3f}")
-        check((sag > 0) == (z < 1.0), "top convex with the centre inside, concave outside")
+        sag = (q[center, 2] - q[corners, 2].mean()) / f.GetEffectiveRadius()
+        print(f"  cube, center at {z:4g} half heights: sag of the top / r = {sag:6.3f}")
+        check((sag > 0) == (z < 1.0), "top convex with the center inside, concave outside")
 
 
 # -- the closed form [blend] and the start --------------------------------------------------------

@@ -432,7 +432,7 @@ inline TriangleMesh House(int slices = 5)
   {
     for (int i = 0; i < around; ++i)
     {
-      // The ends stay plane; between them neighbours on the outline are shifted against each other.
+      // The ends stay plane; between them neighbors on the outline are shifted against each other.
       const double shear = s == 0 || s == slices - 1 ? 0.0 : 0.32 * ((i % 2) - 0.5);
       points.push_back({ outline[i][0], 2.4 * s / (slices - 1) + shear, outline[i][1] });
     }

@@ -44,7 +44,7 @@ private:
 ///
 ///     w_yj = sum over the triangles at y and j of d at j,
 ///
-/// both steps are sums over neighbours:
+/// both steps are sums over neighbors:
 ///
 ///     [local]   sum_{f at y} sum_{h in f} g_h e'_h^T = sum_j w_yj (q_j - q_y)^T     (Eq. 4.13)
 ///     [global]  b_j = sum_y R_y w_yj                                               (Eq. 4.26)
@@ -68,7 +68,7 @@ public:
 
 private:
   const CellPattern* Pattern = nullptr;
-  // Three numbers per neighbour j of y, and one more number at the end.
+  // Three numbers per neighbor j of y, and one more number at the end.
   std::vector<double> OfCell;  // w_yj: what the cell of y asks of j
   std::vector<double> OfPoint; // w_jy: what the cell of j asks of y
   Points Own;                  // w_yy

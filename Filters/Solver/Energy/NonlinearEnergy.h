@@ -44,7 +44,7 @@ public:
   static Eigen::VectorXd ReciprocalDistances(const Points& Q);
   /// S_i (Eq. 3.7).
   void Covariances(const Points& Q, const Eigen::VectorXd& s, Matrices& S) const;
-  /// s_j := the minimiser of E over 0 <= s_j <= LargestScale, one per point. 0 for p'_j = o, where
+  /// s_j := the minimizer of E over 0 <= s_j <= LargestScale, one per point. 0 for p'_j = o, where
   /// E does not depend on it. @return the change of E, <= 0
   double FitScales(const Points& Q, const Matrices& R, Eigen::VectorXd& s) const;
   /// s_i := Eq. 3.12 to the letter: the one scale of all points of cell i that suits that cell

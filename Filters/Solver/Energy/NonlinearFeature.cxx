@@ -58,7 +58,7 @@ void CheckSizeAsWritten(const OneRings& rings)
   const int n = rings.GetNumberOfPoints();
   const int dense = rings[n - 1].size();
   const std::string size =
-    std::to_string(n) + " points, the last one with " + std::to_string(dense) + " neighbours: ";
+    std::to_string(n) + " points, the last one with " + std::to_string(dense) + " neighbors: ";
   Require(n <= NonlinearFeature::MaximumPointsAsWritten &&
       static_cast<double>(n) * dense <= NonlinearFeature::MaximumDenseEntriesAsWritten,
     "CenterConstraint AsWritten takes no model of " + size +
@@ -183,7 +183,7 @@ public:
   }
 
 private:
-  /// Eq. 3.35. A neighbour of the last point n has w_in in every column.
+  /// Eq. 3.35. A neighbor of the last point n has w_in in every column.
   void Assemble(const OneRings& rings, const VectorXd& d)
   {
     const int n = static_cast<int>(d.size()) - 1; // the last point, and the number of unknowns

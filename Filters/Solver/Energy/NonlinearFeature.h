@@ -16,7 +16,7 @@ namespace SphericalStyle
 enum class CenterConstraint
 {
   /// o is the origin and nothing else is asked of the points: since the energy does not change when
-  /// points and o move together, that is no constraint, and every step is an exact minimiser.
+  /// points and o move together, that is no constraint, and every step is an exact minimizer.
   Corrected,
   /// Eq. 3.26 - 3.42 to the letter: o is also the mean of the unknowns, the last point is
   /// eliminated by it and its equation dropped; one scale per cell by Eq. 3.12. The energy can
@@ -61,7 +61,7 @@ class NonlinearFeature
 {
 public:
   /// AsWritten refuses more: it factors without symmetry in every iteration (.7 s at 30,000
-  /// points), and each neighbour of the last point has a row without a zero.
+  /// points), and each neighbor of the last point has a row without a zero.
   static constexpr int MaximumPointsAsWritten = 50000;
   static constexpr int MaximumDenseEntriesAsWritten = 1000000;
 

@@ -9,7 +9,7 @@
 
 namespace SphericalStyle
 {
-/// Rotation R that maximises tr(R S), det +1, by Jacobi singular value decomposition: S = U Sigma
+/// Rotation R that maximizes tr(R S), det +1, by Jacobi singular value decomposition: S = U Sigma
 /// Q^T, R = Q diag(1, 1, det(Q U^T)) U^T. The identity for S = 0. The reference.
 Eigen::Matrix3d ClosestRotationSVD(const Eigen::Matrix3d& S);
 

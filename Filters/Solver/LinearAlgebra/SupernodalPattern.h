@@ -12,7 +12,7 @@
 
 namespace SphericalStyle
 {
-/// P A P^T = L L^T with L in supernodes: neighbouring columns with nonzeros in the same rows.
+/// P A P^T = L L^T with L in supernodes: neighboring columns with nonzeros in the same rows.
 ///
 /// Supernode s holds the columns firstColumn[s] .. firstColumn[s + 1] - 1. Its rows are
 /// rows[firstRow[s]] .. rows[firstRow[s + 1] - 1], ascending, the columns themselves first. A

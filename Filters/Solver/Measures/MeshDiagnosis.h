@@ -83,7 +83,7 @@ struct MeshDiagnosis
 };
 
 /// Examines any triangles at all. A triangle is usable if its corners are finite and it is not
-/// degenerate, as the filters have it; edges, points' neighbourhoods, components and angles are
+/// degenerate, as the filters have it; edges, points' neighborhoods, components and angles are
 /// those of usable triangles. Some milliseconds per 10,000 triangles.
 /// @param P  n x 3, may have NaN @param F  m x 3
 /// @throw std::invalid_argument for a corner outside 0..n-1, and for too many triangles or points

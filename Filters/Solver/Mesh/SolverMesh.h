@@ -21,7 +21,7 @@ enum class MeshChange
 /// What depends on points and triangles alone. Lengths are those of the frame.
 struct SolverMesh
 {
-  TriangleMesh Given; ///< as given, to recognise it
+  TriangleMesh Given; ///< as given, to recognize it
   Frame MeshFrame;
   Points P;
   EnergyTriangles Surface; ///< the triangles as given

@@ -14,7 +14,7 @@
 
 namespace SphericalStyle
 {
-/// A binary tree of boxes over groups of four triangles that are neighbours on a Morton curve
+/// A binary tree of boxes over groups of four triangles that are neighbors on a Morton curve
 /// through their centers (C. Lauterbach et al., Fast BVH construction on GPUs, 2009).
 ///
 /// Cost: sorting of the triangles, 30 bytes each that stay.

@@ -25,8 +25,8 @@ MethodOptions ThesisOptions(MethodOptions options);
 /// size
 void CheckOptions(const MethodOptions& options, int n);
 
-/// Whether nothing has to be minimised: cotangent weights, edges of concave places kept, half-edge
-/// or intrinsic Delaunay weights, and a rule that stops. Else B' is the base of what minimises the
+/// Whether nothing has to be minimized: cotangent weights, edges of concave places kept, half-edge
+/// or intrinsic Delaunay weights, and a rule that stops. Else B' is the base of what minimizes the
 /// energy of StyleSolver, without details, and details are carried on it.
 bool IsClosedForm(const StyleOptions& options);
 
@@ -49,7 +49,7 @@ public:
   const Points& GetPositions() const { return this->Positions; } ///< P', n x 3, model units
   const Points& GetDirections() const { return this->T; }        ///< t, n x 3
   const Matrices& GetRotations() const { return this->R; }       ///< R, n, where it was wanted
-  /// n, length^2; no row where nothing was minimised.
+  /// n, length^2; no row where nothing was minimized.
   const Eigen::VectorXd& GetCellEnergies() const { return this->CellEnergies; }
 
 private:

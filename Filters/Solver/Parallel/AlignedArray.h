@@ -14,7 +14,7 @@
 
 namespace SphericalStyle
 {
-/// An array of numbers that starts at a multiple of 64 bytes and is not initialised. A large one is
+/// An array of numbers that starts at a multiple of 64 bytes and is not initialized. A large one is
 /// in huge pages where the system has them: touching small ones for the first time takes longer
 /// than writing to them.
 template <typename T>

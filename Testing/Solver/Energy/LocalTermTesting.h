@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What must hold for every LocalTerm, and a minimiser over rotations that knows nothing of it.
+/// What must hold for every LocalTerm, and a minimizer over rotations that knows nothing of it.
 #ifndef SphericalStyle_LocalTermTesting_h
 #define SphericalStyle_LocalTermTesting_h
 

@@ -112,7 +112,7 @@ void Compare(StyleSolver& solver, const Case& c, StyleOptions options, Worst& wo
       when << ": directions differ from the reference");
     CHECK_NEAR(report.sphere.radius, reference.GetRadius(), 1e-12 * diagonal, when + ": radius");
     CHECK((report.sphere.center - reference.GetCenter()).norm() <= 1e-12 * diagonal,
-      when << ": the centre differs from the reference");
+      when << ": the center differs from the reference");
     CHECK(options.concaveEdges == ConcaveEdges::Keep ||
         report.concaveHalfEdges == reference.GetFlipped(),
       when << ": " << report.concaveHalfEdges << " concave half-edges, should be "

@@ -340,7 +340,7 @@ void TestCallback()
     "an aborted run should leave the state of its last iteration");
 }
 
-// With cotangent weights the minimiser is the blend of the model with the sphere [blend].
+// With cotangent weights the minimizer is the blend of the model with the sphere [blend].
 void TestClosedForm()
 {
   for (const Named& named : { Named{ "ellipsoid", Meshes::Ellipsoid(2) },
@@ -452,7 +452,7 @@ void TestLargeLambda()
   }
 }
 
-// A4.14: what is close to O gets rounder; a centre outside makes the near face hollow.
+// A4.14: what is close to O gets rounder; a center outside makes the near face hollow.
 void TestCenterStudy()
 {
   const TriangleMesh box = Meshes::Box(10);
@@ -487,7 +487,7 @@ void TestCenterStudy()
       }
     }
     sags.push_back((middle - rim / rimCount) / report.sphere.radius);
-    std::cout << "centre at z = " << z << ": sag of the top face / r = " << sags.back()
+    std::cout << "center at z = " << z << ": sag of the top face / r = " << sags.back()
               << std::endl;
   }
   CHECK(sags[0] > 0.0 && sags[1] > sags[0] && sags[2] > sags[1],

@@ -94,7 +94,7 @@ struct RandomState
   NonlinearEnergy Energy;
 };
 
-/// Neighbours and Eq. 2.4, from the definition: triangle by triangle, for all pairs of points.
+/// Neighbors and Eq. 2.4, from the definition: triangle by triangle, for all pairs of points.
 struct BruteForce
 {
   explicit BruteForce(const TriangleMesh& mesh)
@@ -395,7 +395,7 @@ void TestGlobalStep()
     right.topRows(n) = b;
     x.Q = A.fullPivLu().solve(right).topRows(n);
     const double constrained = x.Energy.Evaluate(x.Q, x.R, x.S).Total();
-    CHECK_NEAR(x.Q.colwise().sum().norm(), 0.0, 1e-10, "the constrained minimiser's mean");
+    CHECK_NEAR(x.Q.colwise().sum().norm(), 0.0, 1e-10, "the constrained minimizer's mean");
     CHECK(constrained < 0.99 * written,
       "the constrained minimum " << constrained << " should lie below what Eq. 3.37 finds, "
                                  << written);
@@ -517,7 +517,7 @@ void TestReuse()
   }
   CHECK(kept.GetNumberOfAnalyses() == 1, "lambda and points keep the symbolic factorisation");
   Run(kept, Meshes::Box(3), options);
-  CHECK(kept.GetNumberOfAnalyses() == 1, "other triangles are analysed anew");
+  CHECK(kept.GetNumberOfAnalyses() == 1, "other triangles are analyzed anew");
 }
 
 //------------------------------------------------------------------------------------------------

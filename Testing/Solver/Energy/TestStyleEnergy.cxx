@@ -430,25 +430,25 @@ void TestDirections()
   const Vector3d O(0.1, -0.2, 0.15);
   std::vector<int> onCenter;
   const Points d = CenterDirections(mesh.P, topology.GetTriangles(), O, onCenter);
-  CHECK(onCenter.empty(), "no point lies on the centre");
+  CHECK(onCenter.empty(), "no point lies on the center");
   for (int i = 0; i < d.rows(); ++i)
   {
     const Eigen::RowVector3d expected = (mesh.P.row(i) - O.transpose()).normalized();
     CHECK((d.row(i) - expected).norm() <= 1e-14, "d should be (p - O) / |p - O|");
   }
-  // The centre on a point: it takes the mean of its neighbours' directions.
+  // The center on a point: it takes the mean of its neighbors' directions.
   const int on = 17;
   const Points d17 =
     CenterDirections(mesh.P, topology.GetTriangles(), mesh.P.row(on).transpose(), onCenter);
-  CHECK(onCenter.size() == 1 && onCenter[0] == on, "point 17 should be reported as on the centre");
-  std::vector<char> neighbours(mesh.P.rows(), 0);
+  CHECK(onCenter.size() == 1 && onCenter[0] == on, "point 17 should be reported as on the center");
+  std::vector<char> neighbors(mesh.P.rows(), 0);
   for (int f = 0; f < mesh.F.rows(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
       for (int j = 0; j < 3; ++j)
       {
-        neighbours[mesh.F(f, j)] |= mesh.F(f, k) == on;
+        neighbors[mesh.F(f, j)] |= mesh.F(f, k) == on;
       }
     }
   }
@@ -456,7 +456,7 @@ void TestDirections()
   int count = 0;
   for (int i = 0; i < mesh.P.rows(); ++i)
   {
-    if (neighbours[i] && i != on)
+    if (neighbors[i] && i != on)
     {
       mean += (mesh.P.row(i) - mesh.P.row(on)).normalized();
       ++count;
@@ -464,13 +464,13 @@ void TestDirections()
   }
   mean /= count;
   CHECK((d17.row(on) - mean).norm() <= 1e-14,
-    "the direction on the centre should be " << mean << ", is " << d17.row(on));
+    "the direction on the center should be " << mean << ", is " << d17.row(on));
   // Evenly surrounded: zero, and finite.
   const TriangleMesh flat = Meshes::Patch(4, 0.0);
   const MeshTopology flatTopology(flat.F, flat.P.rows());
   const Points even =
     CenterDirections(flat.P, flatTopology.GetTriangles(), flat.P.row(12).transpose(), onCenter);
-  CHECK(onCenter.size() == 1 && onCenter[0] == 12, "the middle point should be on the centre");
+  CHECK(onCenter.size() == 1 && onCenter[0] == 12, "the middle point should be on the center");
   CHECK(even.row(12).norm() <= 1e-15,
     "an evenly surrounded point should have direction 0, has " << even.row(12));
 
@@ -486,7 +486,7 @@ void TestDirections()
   for (int i = 0; i < a.size(); ++i)
   {
     CHECK((t.row(i) - (1.0 - a[i]) * d.row(i) - a[i] * n.row(i)).norm() <= 1e-15,
-      "t should be (1 - a) d + a n, not normalised");
+      "t should be (1 - a) d + a n, not normalized");
   }
 }
 
@@ -522,8 +522,8 @@ void TestExactSphere()
     TargetSphere(mesh.P, mesh.F, CenterMode::PointMean, RadiusMode::EqualArea, {});
   const Sphere byVolume =
     TargetSphere(mesh.P, mesh.F, CenterMode::AreaCentroid, RadiusMode::EqualVolume, {});
-  CHECK((byArea.center - O).norm() <= 1e-13, "the mean of the points should be the centre");
-  CHECK((byVolume.center - O).norm() <= 1e-13, "the area centroid should be the centre");
+  CHECK((byArea.center - O).norm() <= 1e-13, "the mean of the points should be the center");
+  CHECK((byVolume.center - O).norm() <= 1e-13, "the area centroid should be the center");
   CHECK_NEAR(byArea.radius, std::sqrt(TriangleAreas(mesh.P, mesh.F).sum() / (4.0 * Meshes::Pi)),
     1e-14 * r, "radius of equal area");
   CHECK_NEAR(byVolume.radius, std::cbrt(3.0 * EnclosedVolume(mesh.P, mesh.F) / (4.0 * Meshes::Pi)),
@@ -612,7 +612,7 @@ void TestThreads()
 }
 
 /// A disc around one point, as the end of a cylinder of very many sides: where a point has all the
-/// others as its neighbours, sums over cells must not take the square of their number: each corner
+/// others as its neighbors, sums over cells must not take the square of their number: each corner
 /// of a triangle is visited once, and finds its neighbors by bisection.
 void TestManyNeighbors()
 {

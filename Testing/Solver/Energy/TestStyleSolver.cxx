@@ -55,7 +55,7 @@ void TestFactorsKept()
   CHECK(factored(), "the first solve should factor");
   CHECK(!factored(), "the same again should not factor");
   options.centerMode = CenterMode::AreaCentroid;
-  CHECK(!factored(), "a new centre should not factor");
+  CHECK(!factored(), "a new center should not factor");
   options.normalBlend = 0.5;
   CHECK(!factored(), "a new a should not factor");
   options.radiusMode = RadiusMode::Custom;

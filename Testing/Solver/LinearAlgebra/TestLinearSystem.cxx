@@ -15,7 +15,7 @@ using Rows = LinearSystem::RightHandSides;
 
 namespace
 {
-/// The matrix of springs between neighbours on a square grid, and of one weak or strong spring from
+/// The matrix of springs between neighbors on a square grid, and of one weak or strong spring from
 /// each point to its place. @param anisotropy  of the springs along one direction
 LinearSystem::Matrix Grid(int side, double hold, double anisotropy = 1.0)
 {

@@ -126,7 +126,7 @@ void TestEightAtATime()
     CHECK(R[i].determinant() > 0.0, "matrix " << i << ": R should be no reflection");
     Matrix3d alone = Matrix3d::Identity();
     FitRotations(Checked[i].data(), 1, &alone);
-    CHECK(alone == R[i], "matrix " << i << ": its neighbours should not matter");
+    CHECK(alone == R[i], "matrix " << i << ": its neighbors should not matter");
   }
 }
 

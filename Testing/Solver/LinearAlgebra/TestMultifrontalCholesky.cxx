@@ -43,7 +43,7 @@ Matrix FromEdges(int n, const Edges& edges, Meshes::Random& random)
   return A;
 }
 
-/// Of a mesh of squares with one diagonal each; neighbours across the border if it is closed.
+/// Of a mesh of squares with one diagonal each; neighbors across the border if it is closed.
 Edges GridEdges(int side, bool closed)
 {
   Edges edges;

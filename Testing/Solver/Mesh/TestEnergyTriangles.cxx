@@ -110,7 +110,7 @@ void TestMatrix()
   }
 }
 
-/// [local] and [global] from what they minimise, E evaluated edge by edge.
+/// [local] and [global] from what they minimize, E evaluated edge by edge.
 void TestSteps()
 {
   Meshes::Random random(12);

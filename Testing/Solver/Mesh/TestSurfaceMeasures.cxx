@@ -273,7 +273,7 @@ void TestPairByHand()
     20.0 * Degree / std::sqrt(3.0), 1e-12, "the shorter way around");
 }
 
-/// A point of a fine sheet or ball pulled across its neighbours: some of the triangles at it turn
+/// A point of a fine sheet or ball pulled across its neighbors: some of the triangles at it turn
 /// over, whatever the large turn that comes on top, and those that do are known by hand.
 void TestTurnedOver()
 {

@@ -110,7 +110,7 @@ int CountFolds(const TriangleMesh& rest, const Points& Q)
     static_cast<int>(BruteForce({ Q, rest.F }).size());
 }
 
-// Moves a point along the ball, to behind one of its neighbours.
+// Moves a point along the ball, to behind one of its neighbors.
 void DrawOver(const TriangleMesh& ball, int point, Points& Q)
 {
   for (Eigen::Index f = 0; f < ball.F.rows(); ++f)
@@ -137,7 +137,7 @@ void TestFinder()
   CHECK(!clean.Find(rest.P).Any(), "the rest shape has no folds");
   CHECK(!clean.Find(3.0 * rest.P).Any(), "nor has a larger one");
 
-  // One point drawn over its neighbour: triangles at it turn over.
+  // One point drawn over its neighbor: triangles at it turn over.
   Points pushed = rest.P;
   DrawOver(rest, 7, pushed);
   const Folds folds = clean.Find(pushed);
