@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NormalAnalogy.h"
 
-#include "LocalStep.h"
-#include "Parallel.h"
-#include "SurfaceMeasures.h"
-
 #include <Eigen/Geometry>
 
 #include <array>
@@ -40,52 +36,13 @@ Points DistinctNormals(const Points& P, const Triangles& F)
 }
 
 NormalAnalogy::NormalAnalogy(NormalMap map, double lambda)
-  : Map(std::move(map))
-  , Lambda(lambda)
+  : TargetNormals(lambda)
+  , Map(std::move(map))
 {
-  if (!std::isfinite(lambda) || lambda < 0.0)
-  {
-    throw std::invalid_argument("the weight of the normals must be finite and not negative");
-  }
 }
 
-void NormalAnalogy::SetMesh(const Points& P, const Triangles& F)
+Points NormalAnalogy::MakeTargets(const Points&, const Triangles&, const Points& normals) const
 {
-  this->Normals = PointNormals(P, F);
-  this->Weights = this->Lambda * PointAreas(P, F);
-  this->Targets = this->Map(this->Normals);
-  for (Eigen::Index i = 0; i < this->Normals.rows(); ++i)
-  {
-    if (this->Normals.row(i).isZero(0.0))
-    {
-      this->Targets.row(i).setZero();
-    }
-  }
-}
-
-double NormalAnalogy::Fit(Matrices& S, Matrices& R, int threads)
-{
-  ParallelFor(static_cast<int>(S.size()), threads,
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        S[i] += this->Weights[i] * this->Normals.row(i).transpose() * this->Targets.row(i);
-      }
-    });
-  return FitRotations(S, R, threads);
-}
-
-double NormalAnalogy::Evaluate(const Matrices& R) const
-{
-  double sum = 0.0;
-  for (std::size_t i = 0; i < R.size(); ++i)
-  {
-    const auto row = static_cast<Eigen::Index>(i);
-    sum += this->Weights[row] *
-      (R[i] * this->Normals.row(row).transpose() - this->Targets.row(row).transpose())
-        .squaredNorm();
-  }
-  return sum;
+  return this->Map(normals);
 }
 } // namespace SphericalStyle

@@ -1,17 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Normals of a style shape for a surface [analogy]:
-///
-///     term_y(R) = lambda a_y |R n_y - t_y|^2
-///
-/// n_y the rest normal and a_y the lumped area of point y, t_y the style normal closest to n_y.
-/// H.-T. D. Liu, A. Jacobson, Normal-Driven Spherical Shape Analogies, Computer Graphics Forum
-/// 40(5), SGP 2021, with the closest-normal mapping.
+/// Normals of a style shape for a surface [analogy]: the term of TargetNormals, t_y the style
+/// normal closest to n_y. H.-T. D. Liu, A. Jacobson, Normal-Driven Spherical Shape Analogies,
+/// Computer Graphics Forum 40(5), SGP 2021, with the closest-normal mapping.
 #ifndef SphericalStyle_NormalAnalogy_h
 #define SphericalStyle_NormalAnalogy_h
 
-#include "LocalTerm.h"
+#include "TargetNormals.h"
 
 #include <functional>
 
@@ -21,7 +17,7 @@ namespace SphericalStyle
 /// to about 1e-6 count once, triangles without an area not at all.
 Points DistinctNormals(const Points& P, const Triangles& F);
 
-class NormalAnalogy : public LocalTerm
+class NormalAnalogy : public TargetNormals
 {
 public:
   /// Targets t (n x 3, unit) of unit normals n; a normal of 0 has none.
@@ -31,19 +27,10 @@ public:
   /// @throw std::invalid_argument for a lambda that is negative or not finite
   NormalAnalogy(NormalMap map, double lambda);
 
-  void SetMesh(const Points& P, const Triangles& F) override;
-  /// Exact: -2 tr(R S) + term(R) = -2 tr(R (S + lambda a n t^T)) + const.
-  double Fit(Matrices& S, Matrices& R, int threads) override;
-  double Evaluate(const Matrices& R) const override;
-
-  const Points& GetTargets() const { return this->Targets; } ///< t, n x 3; 0 where n is 0
-
 private:
+  Points MakeTargets(const Points& P, const Triangles& F, const Points& normals) const override;
+
   NormalMap Map;
-  double Lambda;
-  Points Normals;          // n
-  Points Targets;          // t
-  Eigen::VectorXd Weights; // lambda a
 };
 } // namespace SphericalStyle
 
