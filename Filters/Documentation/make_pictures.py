@@ -10,6 +10,7 @@ Testing/Window/drag.py --strip.
 """
 import os
 import pathlib
+import re
 import sys
 
 import matplotlib
@@ -32,13 +33,15 @@ BLUE, YELLOW, RED = (0.16, 0.27, 0.62), (0.98, 0.84, 0.20), (0.80, 0.12, 0.10)
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-sys.path.insert(0, str(ROOT / "Examples" / "Python"))
+sys.path[:0] = [str(ROOT / "Examples" / "Python"), str(ROOT / "Testing" / "Python")]
 
+import FilterTable  # noqa: E402
 import model_files  # noqa: E402
 import model_pictures  # noqa: E402
+import sphericalstyle  # noqa: E402
 from sphericalstyle import presets  # noqa: E402
 from sphericalstyle import (  # noqa: E402
-    vtkConvexProxyDeformFilter, vtkCubicStyleFilter, vtkGaussMapFilter, vtkNonlinearStyleFilter,
+    vtkConvexProxyDeformFilter, vtkGaussMapFilter, vtkNonlinearStyleFilter,
     vtkNormalAnalogyFilter, vtkSphereProjectionFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics, vtkThesisStyleFilter)
 
 
@@ -57,10 +60,6 @@ def rounded(surface, **properties):
 
 def proxied(surface, **properties):
     return run(vtkConvexProxyDeformFilter(), surface, properties).GetOutput()
-
-
-def cubic(surface, **properties):
-    return run(vtkCubicStyleFilter(), surface, properties).GetOutput()
 
 
 def analogy(surface, **properties):
@@ -489,11 +488,14 @@ picture("gauss-map.png", (800, 620), list(zip(*columns)), 25.0, 12, few_colors=F
 # -------------------------------------------------------------------------------------- comparators
 ours = (rounded(creature), "Spherical Style")
 
-picture("cubic-style.png", (1200, 300), [[(creature, "model"), ours] + [
-    (cubic(creature, Cubeness=cubeness, StopRule=vtkCubicStyleFilter.FIXED_ITERATIONS,
-           MaximumNumberOfIterations=100), f"Cubeness {cubeness:g}")
-    for cubeness in (0.1, 0.5, 2.0)
-]], 25.0, 12)
+for entry in FilterTable.FILTERS.values():
+    if "shown" in entry:  # CubicStyle: cubic-style.png
+        style, weight = getattr(sphericalstyle, entry["class"]), entry["weight"]
+        picture(re.sub("(?<=[a-z])(?=[A-Z])", "-", entry["page"]).lower() + ".png", (1200, 300),
+                [[(creature, "model"), ours] + [
+                    (run(style(), creature, {weight: value, "StopRule": style.FIXED_ITERATIONS,
+                                             "MaximumNumberOfIterations": 100}).GetOutput(), f"{weight} {value:g}")
+                    for value in entry["shown"]]], 25.0, 12)
 
 ball = vtkSphereSource()
 ball.SetThetaResolution(24)

@@ -6,11 +6,10 @@
 #define EveryFilter_h
 
 #include "FilterTesting.h"
+#include "TermFilters.h"
 
-#include "vtkCubicStyleFilter.h"
 #include "vtkGaussMapFilter.h"
 #include "vtkNonlinearStyleFilter.h"
-#include "vtkNormalAnalogyFilter.h"
 #include "vtkSphereProjectionFilter.h"
 #include "vtkSurfaceDiagnostics.h"
 #include "vtkSurfaceMetrics.h"
@@ -104,13 +103,14 @@ inline std::vector<Subject> Subjects()
         SetUpEnergy(f);
         f->SetRefineLongEdgesToOn();
       }),
-    SubjectOf<vtkCubicStyleFilter>("vtkCubicStyleFilter"),
-    SubjectOf<vtkNormalAnalogyFilter>("vtkNormalAnalogyFilter"),
     SubjectOf<vtkSphereProjectionFilter>("vtkSphereProjectionFilter"),
     ObserverOf<vtkGaussMapFilter>("vtkGaussMapFilter"),
     ObserverOf<vtkSurfaceMetrics>("vtkSurfaceMetrics"),
     ObserverOf<vtkSurfaceDiagnostics>("vtkSurfaceDiagnostics") };
   all.back().refuses = false; // it tells
+#define SUBJECT(Filter, setWeight) all.push_back(SubjectOf<Filter>(#Filter));
+  SPHERICALSTYLE_TERM_FILTERS(SUBJECT)
+#undef SUBJECT
 #ifdef SPHERICALSTYLE_WITH_CGAL
   all.push_back(SubjectOf<Main>("vtkSphericalStyleFilter without folds",
     [](Main* f)

@@ -5,11 +5,10 @@
 /// no output; the input is unchanged; and a filter that has run before gives what a new one gives.
 /// Built for libFuzzer, and with Replay.cxx for everybody else.
 #include "SurfaceFromBytes.h"
+#include "TermFilters.h"
 
-#include "vtkCubicStyleFilter.h"
 #include "vtkGaussMapFilter.h"
 #include "vtkNonlinearStyleFilter.h"
-#include "vtkNormalAnalogyFilter.h"
 #include "vtkSphereProjectionFilter.h"
 #include "vtkSurfaceDiagnostics.h"
 #include "vtkSurfaceMetrics.h"
@@ -189,12 +188,24 @@ Subject MakeNonlinearStyle(Bytes& bytes)
   return { f };
 }
 
-Subject MakeCubicStyle(Bytes& bytes)
+template <typename Filter>
+Subject MakeTermFilter(Bytes& bytes, void (Filter::*setWeight)(double))
 {
-  const auto f = vtkSmartPointer<vtkCubicStyleFilter>::New();
+  const auto f = vtkSmartPointer<Filter>::New();
   SetLoop(bytes, f.Get());
-  f->SetCubeness(bytes.Any());
+  (f->*setWeight)(bytes.Any());
   return { f };
+}
+
+/// One of the filters whose style is a term, with what they have in common.
+Subject MakeTermFilter(Bytes& bytes)
+{
+  using Make = Subject (*)(Bytes&);
+#define MAKE(Filter, setWeight)                                                                    \
+  [](Bytes& from) { return MakeTermFilter<Filter>(from, &Filter::setWeight); },
+  constexpr Make all[] = { SPHERICALSTYLE_TERM_FILTERS(MAKE) };
+#undef MAKE
+  return all[bytes.Below(std::size(all))](bytes);
 }
 
 Subject MakeNormalAnalogy(Bytes& bytes)
@@ -318,7 +329,7 @@ Subject SubjectFromBytes(Bytes& bytes)
   switch (bytes.Below(16))
   {
     case 0:
-      return MakeCubicStyle(bytes);
+      return MakeTermFilter(bytes);
     case 1:
       return MakeNormalAnalogy(bytes);
     case 2:

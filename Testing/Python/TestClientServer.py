@@ -14,10 +14,12 @@ from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from FilterTable import FILTERS
+
 PLUGIN, DATA = sys.argv[1:3]
 PORT, PROCESSES = map(int, sys.argv[3:5])
 
-# What is asked of each filter.
+# What is asked of the filters that have more to say than the table knows; the others get its quick settings.
 RUNS = {
     "Spherical Style": ("SphericalStyle", {"Roundness": 1.0, "SphericalWeighting": "Uniform", "GenerateRotation": 1}),
     "Nonlinear Style": ("NonlinearStyle", {"GenerateCellEnergy": 1, "GenerateAuxiliaryScale": 1}),
@@ -27,13 +29,9 @@ RUNS = {
                                     "DetailSize": 0.0, "KeepSize": "Off"}),
     "long edges split": ("SphericalStyle", {"RefineLongEdges": "On", "MaximumEdgeLength": 0.02}),
     "Convex Proxy Deform": ("ConvexProxyDeform", {"Blend": 0.3, "NumberOfProxyPoints": 500}),
-    "Cubic Style": ("CubicStyle", {"MaximumNumberOfIterations": 30, "StopRule": "Fixed Iterations"}),
-    "Normal Analogy": ("NormalAnalogy", {}),
-    "Sphere Projection": ("SphereProjection", {}),
-    "Gauss Map": ("GaussMap", {}),
     "Surface Metrics": ("SurfaceMetrics", {"EstimateCondition": 1, "FindSelfIntersections": 0}),
-    "Surface Diagnostics": ("SurfaceDiagnostics", {}),
 }
+RUNS |= {entry["label"]: (entry["proxy"], entry["quick"]) for entry in FILTERS.values() if entry["label"] not in RUNS}
 
 
 def contents(data):

@@ -18,10 +18,10 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import sphericalstyle
+import FilterTable
 
-FILTERS = [getattr(sphericalstyle, name) for name in (
-    "vtkSphericalStyleFilter", "vtkConvexProxyDeformFilter", "vtkCubicStyleFilter", "vtkNormalAnalogyFilter",
-    "vtkSphereProjectionFilter", "vtkGaussMapFilter", "vtkSurfaceMetrics") if hasattr(sphericalstyle, name)]
+FILTERS = [getattr(sphericalstyle, entry["class"]) for name, entry in FilterTable.FILTERS.items()
+           if name != "SurfaceDiagnostics"]
 assert len(FILTERS) >= 6
 TAKES_ALL = sphericalstyle.vtkSurfaceDiagnostics  # points that are not finite are no error for it
 

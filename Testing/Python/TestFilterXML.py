@@ -14,91 +14,10 @@ import xml.etree.ElementTree as ElementTree
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 import sphericalstyle
+from FilterTable import FILTERS
 
 VTK_INT_MAX = 2**31 - 1
 
-# What the class does not tell. known, enumerations: some properties that it certainly has, for
-# without them the comparisons would hold of nothing; inputs, outputs and arrays in the order of their numbers.
-FILTERS = {
-    "CubicStyleFilter": {
-        "label": "Cubic Style",
-        "known": {"Cubeness", "GenerateNormals", "StopRule"},
-        "enumerations": {"StopRule", "OutputPointsPrecision"},
-        "inputs": ["Input"],
-        "outputs": ["Cubic", "Energy"],
-        "arrays": [],
-    },
-    "NonlinearStyleFilter": {
-        "label": "Nonlinear Style",
-        "known": {"Roundness", "CenterConstraint", "GenerateAuxiliaryScale", "StopRule"},
-        "enumerations": {"CenterConstraint", "CenterMode", "StopRule", "OutputPointsPrecision"},
-        "inputs": ["Input"],
-        "outputs": ["Deformed", "Energy"],
-        "arrays": ["NormalsArray", "RoundnessFactorArray"],
-    },
-    "NormalAnalogyFilter": {
-        "label": "Normal Analogy",
-        "known": {"Style", "Weight", "GenerateTargetNormal", "StopRule"},
-        "enumerations": {"Style", "StopRule", "OutputPointsPrecision"},
-        "inputs": ["Input", "StyleMesh"],
-        "outputs": ["Deformed", "Energy"],
-        "arrays": [],
-    },
-    "SphereProjectionFilter": {
-        "label": "Sphere Projection",
-        "known": {"Coefficient", "Center", "RadiusMode"},
-        "enumerations": {"CenterMode", "RadiusMode", "OutputPointsPrecision"},
-        "inputs": ["Input"],
-        "outputs": ["Deformed"],
-        "arrays": [],
-    },
-    "SphericalStyleFilter": {
-        "label": "Spherical Style",
-        "known": {"Roundness", "Center", "GenerateRotation", "KeepOnGround", "StopRule"},
-        "enumerations": {"CenterMode", "KeepSize", "NormalRadius", "OutputPointsPrecision", "RefineLongEdges",
-                         "StopRule", "UpAxis"},
-        "inputs": ["Input", "Centers", "Selection"],
-        "outputs": ["Rounded", "Energy", "Target Sphere"],
-        "arrays": ["NormalsArray", "RoundnessFactorArray", "NormalBlendArray",
-                   "TargetDirectionsArray", "RegionArray", "CenterIdArray"],
-    },
-    "ConvexProxyDeformFilter": {
-        "label": "Convex Proxy Deform",
-        "known": {"BlendFunction", "Center", "GenerateNormals", "NumberOfProxyPoints"},
-        "enumerations": {"CenterMode", "OutputPointsPrecision", "BlendFunction", "RefineLongEdges"},
-        "inputs": ["Input", "Proxy", "Selection"],
-        "outputs": ["Deformed", "Proxy", "Projection Lines"],
-        "arrays": ["NormalsArray", "DirectionsArray", "BlendArray", "RegionArray"],
-    },
-    "GaussMapFilter": {
-        "label": "Gauss Map",
-        "known": {"NormalSource", "AreaWeighted", "OftenThreshold", "NumberOfEqualAreaUnits"},
-        "enumerations": {"NormalSource", "SphereUnits"},
-        "inputs": ["Input"],
-        "outputs": ["Sphere", "Image", "Measures"],
-        "arrays": ["NormalsArray"],
-    },
-    "SurfaceDiagnostics": {
-        "label": "Surface Diagnostics",
-        "known": {"SliverAngle", "WeldCoincidentPoints"},
-        "enumerations": set(),
-        "inputs": ["Input"],
-        "outputs": ["Inspected", "Findings"],
-        "arrays": [],
-    },
-    "SurfaceMetrics": {
-        "label": "Surface Metrics",
-        "known": {"Center", "EstimateCondition", "FindSelfIntersections"},
-        "enumerations": {"CenterMode"},
-        "inputs": ["Input", "Reference"],
-        "outputs": ["Measured", "Measures"],
-        "arrays": [],
-    },
-}
-# Not clamped in C++ (a bad value is an error that names it): range of the panel.
-UNCLAMPED = {"Roundness": (0.0, 50.0), "Cubeness": (0.0, 10.0), "Weight": (0.0, 10.0),
-             "Radius": (0.0, None), "TanhSteepness": (0.1, 10.0), "AxisGain": (0.0, None),
-             "OftenThreshold": (0.0, None)}
 # The one enumeration without a setter for each entry: it is VTK's.
 PRECISIONS = ["Single", "Double", "Default"]
 
@@ -108,6 +27,8 @@ Filter = getattr(sphericalstyle, "vtk" + xml_name)
 Whole = sphericalstyle.vtkWholeSurfaceAlgorithm
 Base = Whole if issubclass(Filter, Whole) else Filter.__mro__[1]
 expected = FILTERS[xml_name]
+# Not clamped in C++ (a bad value is an error that names it): range of the panel.
+UNBOUNDED = {name: tuple(ends) for name, ends in expected.get("unbounded", {}).items()}
 failures = []
 
 
@@ -160,8 +81,8 @@ def check_settable(name, element):
     check(int(element.get("number_of_elements")) == len(value), f"{name}: number_of_elements")
 
     low, high = range_of(element)
-    if name in UNCLAMPED:
-        check((low, high) == UNCLAMPED[name], f"{name}: range {low} .. {high}")
+    if name in UNBOUNDED:
+        check((low, high) == UNBOUNDED[name], f"{name}: range {low} .. {high}")
     elif hasattr(Filter, f"Get{name}MinValue"):
         cxx_low = getattr(Filter(), f"Get{name}MinValue")()
         cxx_high = getattr(Filter(), f"Get{name}MaxValue")()
@@ -231,7 +152,7 @@ read_only = getters - settable - limits
 information = {n for n, e in elements.items() if e.get("information_only") == "1"}
 others = set(expected["arrays"]) | set(expected["inputs"])
 
-check(expected["known"] <= settable, f"settable: {sorted(settable)}")
+check(set(expected["known"]) <= settable, f"settable: {sorted(settable)}")
 in_xml = set(elements) - information - others
 # A panel that can still be read; what only a study needs is in vtkThesisStyleFilter.
 if xml_name == "SphericalStyleFilter":
@@ -244,7 +165,7 @@ for name in sorted(settable & set(elements)):
     check_settable(name, elements[name])
 enumerations = {name: enumeration_of(name) for name in settable}
 enumerations = {name: entries for name, entries in enumerations.items() if entries}
-check(expected["enumerations"] <= set(enumerations), "enumerations of C++")
+check(set(expected["enumerations"]) <= set(enumerations), "enumerations of C++")
 for name, entries in sorted((n, e) for n, e in enumerations.items() if n in elements):
     check(entries_of(elements[name]) == entries,
           f"{name}: entries {entries_of(elements[name])} in XML, {entries} in C++")
@@ -271,16 +192,12 @@ check(views == {(port, "None") for port, _ in outputs[1:]}, f"views {views}")
 # A resource that is not there is no icon, without a word.
 menu = proxy.find("Hints/ShowInMenu")
 check(menu.get("category") == "Spherical Style", "menu")
-for_study = proxy.find("Documentation").get("short_help").startswith("For study")
-check((menu.get("show_in_toolbar") == "1") != for_study, "toolbar: what is for study stays in the menu")
+check((menu.get("show_in_toolbar") == "1") != (expected["kind"] == "study"), "toolbar: what is for study stays in the menu")
 icon = menu.get("icon")
 icons = os.path.join(os.path.dirname(sys.argv[1]), "Icons")
 check(icon == f":/SphericalStyle/{xml_name}.svg", f"icon {icon}")
 check(ElementTree.parse(os.path.join(icons, xml_name + ".svg")).getroot().get("viewBox") == "0 0 24 24",
       "size of the icon")
-check(f"{xml_name}.svg" in [file.text for file in
-                            ElementTree.parse(os.path.join(icons, "SphericalStyleIcons.qrc")).iter("file")],
-      "icon in the resource file")
 
 # ------------------------------------------------------------------------------------------- panel
 # A group that names a property that is not there is dropped by ParaView without a word.

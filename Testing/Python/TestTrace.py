@@ -9,6 +9,7 @@ import os
 import sys
 
 import ProxyTesting
+from FilterTable import FILTERS
 from paraview import smtrace
 from paraview.simple import *
 
@@ -48,13 +49,9 @@ CASES = {
         {"Roundness": 5.0, "CenterIdArray": ["POINTS", "CenterId"], "EdgeWeighting": "Full Edge"},
     ],
     "ConvexProxyDeform": [{"Blend": 0.3, "Transfer": "Offset"}],
-    "CubicStyle": [{}],
-    "NormalAnalogy": [{}],
-    "SphereProjection": [{}],
-    "GaussMap": [{}],
-    "SurfaceMetrics": [{}],
     "SurfaceDiagnostics": [{"SliverAngle": 5.0}],
 }
+CASES |= {entry["proxy"]: [{}] for entry in FILTERS.values() if entry["proxy"] not in CASES}
 tried = 0
 for filter_name, cases in CASES.items():
     if filter_name not in globals():

@@ -23,10 +23,10 @@ GRID = [{"NormalBlend": a, "Roundness": r, "DetailSize": s, "RefineLongEdges": 0
         for a, r, s in itertools.product(NORMAL_BLENDS, ROUNDNESSES, DETAIL_SIZES)]
 DEFAULTS = {"NormalBlend": 0.6, "Roundness": 1.0, "DetailSize": 0.06, "RefineLongEdges": 1}
 FILTERS = {MAIN: GRID + [{**DEFAULTS, **style} for style in surfaces.STYLES.values()],
-           "vtkConvexProxyDeformFilter": [{}, {"Blend": 0.0, "Roundness": 50.0}],
-           "vtkNormalAnalogyFilter": [{}], "vtkCubicStyleFilter": [{}], "vtkSphereProjectionFilter": [{}],
-           "vtkGaussMapFilter": [{}], "vtkSurfaceMetrics": [{}], "vtkSurfaceDiagnostics": [{}]}
-DEFORMERS = [name for name in FILTERS if name not in ("vtkGaussMapFilter", "vtkSurfaceMetrics", "vtkSurfaceDiagnostics")]
+           "vtkConvexProxyDeformFilter": [{}, {"Blend": 0.0, "Roundness": 50.0}]}
+FILTERS |= {entry["class"]: [{}] for entry in surfaces.FILTERS
+            if entry["class"] not in FILTERS and entry["kind"] != "study"}
+DEFORMERS = [entry["class"] for entry in surfaces.FILTERS if entry["kind"] != "measure"]
 # Warnings that the pages of the filters explain, each by words of its own.
 KNOWN = {"thinned": "thickness", "degenerate": "degenerate", "fans": "as fans", "hull": "convex hull",
          "turned over": "turned over", "not converged": "not converge", "center": "on it", "iterations": "iterations",

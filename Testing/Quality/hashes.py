@@ -39,16 +39,11 @@ CASES = {name: (STYLE, preset.properties) for name, preset in presets.PRESETS.it
     "guard": (STYLE, {"AvoidSelfIntersections": 1}),
     "nonlinear": (NONLINEAR, {"MaximumNumberOfIterations": 20}),
     "nonlinear, as written": (NONLINEAR, {"ReproduceThesis": 1, "MaximumNumberOfIterations": 20}),
-    "cubic": ("vtkCubicStyleFilter", {"MaximumNumberOfIterations": 20}),
-    "analogy": ("vtkNormalAnalogyFilter", {"MaximumNumberOfIterations": 20}),
-    "projection": ("vtkSphereProjectionFilter", {}),
-    "metrics": ("vtkSurfaceMetrics", {}),
-    "diagnostics": ("vtkSurfaceDiagnostics", {}),
-    "gauss map": ("vtkGaussMapFilter", {}),
-    "proxy": ("vtkConvexProxyDeformFilter", {}),
 }
+CASES |= {entry["label"]: (entry["class"], entry["quick"]) for entry in surfaces.FILTERS
+          if entry["class"] not in (STYLE, NONLINEAR)}
 SLOW = 30_000  # points; larger models are left to the cases that take no minute
-QUICK = {"defaults", "Chibi", "Ball", "all arrays", "projection"}
+QUICK = {"defaults", "Chibi", "Ball", "all arrays", "Sphere Projection"}
 
 
 def add(digest, array):
