@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Adds a filter of a new style: class, term, panel, icon, page, tests, and their places in tables and pages.
 
-The style is a term of the local step made of target normals; Filters/Documentation/AddAStyle.md says what to do next. What
-is added builds and passes its tests, and leaves every model as it is: the style itself is yours.
+The style is a term of the local step made of target normals; Filters/Documentation/AddAStyle.md says what to do
+next. What is added builds, and leaves every model as it is: the style itself is yours.
 
 usage: Utilities/add_style.py "Block Style" --weight Blockiness --brief "Turn each part of a surface into blocks"
 """
