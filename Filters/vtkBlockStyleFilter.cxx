@@ -16,8 +16,8 @@ vtkBlockStyleFilter::~vtkBlockStyleFilter() = default;
 
 std::shared_ptr<SphericalStyle::LocalTerm> vtkBlockStyleFilter::MakeTerm(vtkInformationVector**)
 {
-  vtkFilterSupport::Require(std::isfinite(this->Blockiness) && this->Blockiness >= 0.0, "Blockiness",
-    "finite and 0 or more", this->Blockiness);
+  vtkFilterSupport::Require(std::isfinite(this->Blockiness) && this->Blockiness >= 0.0,
+    "Blockiness", "finite and 0 or more", this->Blockiness);
   return std::make_shared<SphericalStyle::BlockStyle>(this->Blockiness);
 }
 
