@@ -149,11 +149,6 @@ SPHERICALSTYLE_INLINE Vector8 SquaredNorm(const Matrix8& A)
   return sum;
 }
 
-SPHERICALSTYLE_INLINE Vector8 Magnitude(Vector8 x)
-{
-  return x < 0.0 ? -x : x;
-}
-
 /// ClosestRotation for eight covariances of nine numbers each.
 /// @param R  takes the rotations @param good  whether R is right; else it means nothing
 SPHERICALSTYLE_PER_INSTRUCTION_SET

@@ -283,19 +283,19 @@ struct Steps
 
 SPHERICALSTYLE_COMPILE_STEPS(Baseline, , 2, 2)
 #ifdef SPHERICALSTYLE_INSTRUCTION_SETS
-SPHERICALSTYLE_COMPILE_STEPS(Avx2, __attribute__((target("arch=x86-64-v3"))), 4, 4)
-SPHERICALSTYLE_COMPILE_STEPS(Avx512, __attribute__((target("arch=x86-64-v4"))), 8, 8)
+SPHERICALSTYLE_COMPILE_STEPS(Avx2, SPHERICALSTYLE_FOR_AVX2, 4, 4)
+SPHERICALSTYLE_COMPILE_STEPS(Avx512, SPHERICALSTYLE_FOR_AVX512, 8, 8)
 #endif
 #undef SPHERICALSTYLE_COMPILE_STEPS
 
 const Steps& StepsFor([[maybe_unused]] InstructionSet set)
 {
 #ifdef SPHERICALSTYLE_INSTRUCTION_SETS
-  if (set == InstructionSet::Best && __builtin_cpu_supports("x86-64-v4"))
+  if (set == InstructionSet::Best && HasAvx512())
   {
     return Avx512::All;
   }
-  if (set != InstructionSet::Baseline && __builtin_cpu_supports("x86-64-v3"))
+  if (set != InstructionSet::Baseline && HasAvx2())
   {
     return Avx2::All;
   }

@@ -27,17 +27,15 @@ struct VectorsOf;
 template <>
 struct VectorsOf<float>
 {
-  using Rows = float __attribute__((vector_size(32), aligned(32)));
-  using Point = float __attribute__((vector_size(16), aligned(16)));
-  using Unaligned = float __attribute__((vector_size(16), aligned(4), may_alias));
+  using Rows = Float8;
+  using Point = Float4;
 };
 
 template <>
 struct VectorsOf<double>
 {
-  using Rows = double __attribute__((vector_size(64), aligned(64)));
-  using Point = double __attribute__((vector_size(32), aligned(32)));
-  using Unaligned = double __attribute__((vector_size(32), aligned(8), may_alias));
+  using Rows = Vector8;
+  using Point = Vector4;
 };
 
 /// The same number of the eight rows of a tile.
@@ -46,8 +44,6 @@ using Rows = typename VectorsOf<Scalar>::Rows;
 /// A row of X: three numbers and one more.
 template <typename Scalar>
 using Point = typename VectorsOf<Scalar>::Point;
-template <typename Scalar>
-using Unaligned = typename VectorsOf<Scalar>::Unaligned;
 
 /// A supernode. Its slots are the rows of its panel.
 struct Node : SupernodePanel
@@ -217,24 +213,6 @@ SPHERICALSTYLE_INLINE void Gather(const Point<Scalar>* X, const int* slot, Rows<
   }
 }
 
-/// The sum of each of four.
-template <typename Scalar>
-SPHERICALSTYLE_INLINE Point<Scalar> SumRows(const Rows<Scalar>* a)
-{
-  Point<Scalar> half[BlockColumns];
-  for (int i = 0; i < BlockColumns; ++i)
-  {
-    half[i] = __builtin_shufflevector(a[i], a[i], 0, 1, 2, 3) +
-      __builtin_shufflevector(a[i], a[i], 4, 5, 6, 7);
-  }
-  const Point<Scalar> first = __builtin_shufflevector(half[0], half[1], 0, 4, 2, 6) +
-    __builtin_shufflevector(half[0], half[1], 1, 5, 3, 7);
-  const Point<Scalar> second = __builtin_shufflevector(half[2], half[3], 0, 4, 2, 6) +
-    __builtin_shufflevector(half[2], half[3], 1, 5, 3, 7);
-  return __builtin_shufflevector(first, second, 0, 1, 4, 5) +
-    __builtin_shufflevector(first, second, 2, 3, 6, 7);
-}
-
 /// X := L^-1 X for the columns of one supernode. @param w  room for three vectors a tile
 template <typename Scalar>
 SPHERICALSTYLE_INLINE void SolveForward(
@@ -318,13 +296,11 @@ SPHERICALSTYLE_INLINE void SolveBackward(
     Point<Scalar> y[3];
     for (int k = 0; k < 3; ++k)
     {
-      const auto* inverse = reinterpret_cast<const Unaligned<Scalar>*>(values);
-      auto* own = reinterpret_cast<Unaligned<Scalar>*>(
-        reinterpret_cast<Scalar*>(w + 3 * (j / TileRows) + k) + j % TileRows);
-      const Point<Scalar> right = *own - SumRows<Scalar>(sum[k]);
-      y[k] = inverse[0] * right[0] + inverse[1] * right[1] + inverse[2] * right[2] +
-        inverse[3] * right[3];
-      *own = y[k];
+      Scalar* own = reinterpret_cast<Scalar*>(w + 3 * (j / TileRows) + k) + j % TileRows;
+      const Point<Scalar> right = Load4(own) - SumEach<Point<Scalar>>(sum[k]);
+      y[k] = Load4(values) * right[0] + Load4(values + BlockColumns) * right[1] +
+        Load4(values + 2 * BlockColumns) * right[2] + Load4(values + 3 * BlockColumns) * right[3];
+      Store4(own, y[k]);
     }
     const int width = std::min(BlockColumns, node.columns - j);
     for (int i = 0; i < width; ++i)
