@@ -3,10 +3,11 @@
 //
 // What this machine can do at most, to hold the stages against: bytes read a second from memory,
 // bytes read and written (a = b + s c, as STREAM's triad counts them), and floating-point
-// operations a second in registers, with the widest instructions that the processor has. And what a
-// loop costs that has next to nothing to do.
+// operations a second in registers, with the widest instructions that the solver has here. And what
+// a loop costs that has next to nothing to do.
 #include "Parallel.h"
 #include "Stages.h"
+#include "Vector4.h"
 
 #include <cstdlib>
 #include <numeric>
@@ -100,7 +101,7 @@ constexpr int Rounds = 1 << 20;
 
 /// Rounds of x = x * a + b on each chain of vectors. @return something that depends on them all
 template <typename Vector>
-[[gnu::always_inline]] inline double MultiplyAdd()
+SPHERICALSTYLE_INLINE double MultiplyAdd()
 {
   constexpr int width = sizeof(Vector) / sizeof(double);
   volatile double seed = 0.3; // nothing of this is known before it runs
@@ -118,7 +119,6 @@ template <typename Vector>
   }
   for (int round = 0; round < Rounds; ++round)
   {
-#pragma GCC unroll 12
     for (Vector& chain : x)
     {
       chain = chain * a + b;
@@ -137,39 +137,36 @@ template <typename Vector>
   return total;
 }
 
-using Vector2 [[gnu::vector_size(16)]] = double;
 struct Kernel
 {
   double (*run)();
   int width; // doubles in a vector
 };
 
-#ifdef __x86_64__
-using Vector4 [[gnu::vector_size(32)]] = double;
-using Vector8 [[gnu::vector_size(64)]] = double;
-[[gnu::target("avx512f")]] double MultiplyAdd512()
+#ifdef SPHERICALSTYLE_INSTRUCTION_SETS
+SPHERICALSTYLE_FOR_AVX512 double MultiplyAdd512()
 {
-  return MultiplyAdd<Vector8>();
+  return MultiplyAdd<SphericalStyle::Vector8>();
 }
-[[gnu::target("avx2,fma")]] double MultiplyAdd256()
+SPHERICALSTYLE_FOR_AVX2 double MultiplyAdd256()
 {
-  return MultiplyAdd<Vector4>();
+  return MultiplyAdd<SphericalStyle::Vector4>();
 }
 #endif
 
 double MultiplyAdd128()
 {
-  return MultiplyAdd<Vector2>();
+  return MultiplyAdd<SphericalStyle::Vector2>();
 }
 
 Kernel WidestKernel()
 {
-#ifdef __x86_64__
-  if (__builtin_cpu_supports("avx512f"))
+#ifdef SPHERICALSTYLE_INSTRUCTION_SETS
+  if (SphericalStyle::HasAvx512())
   {
     return { MultiplyAdd512, 8 };
   }
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+  if (SphericalStyle::HasAvx2())
   {
     return { MultiplyAdd256, 4 };
   }
