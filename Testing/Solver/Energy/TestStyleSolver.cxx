@@ -669,7 +669,7 @@ void TestRefusedOptions()
   refused("roundness factor", [n](StyleOptions& o) { o.roundnessFactors.setOnes(n - 1); });
   refused("normal blend", [n](StyleOptions& o) { o.normalBlends.setZero(n + 1); });
   refused("normal", [n](StyleOptions& o) { o.normals.setOnes(n - 1, 3); });
-  refused("target", [n](StyleOptions& o) { o.targets.setOnes(1, 3); });
+  refused("target", [](StyleOptions& o) { o.targets.setOnes(1, 3); });
   refused("fixed point", [](StyleOptions& o) { o.fixedPoints = { 1 }; });
   for (const int bad : { -1, n })
   {
