@@ -6,6 +6,7 @@
 #include "LocalStep.h"
 #include "Orientation.h"
 #include "Parallel.h"
+#include "Stage.h"
 #include "Stopwatch.h"
 #include "SurfaceGrid.h"
 #include "SurfaceMeasures.h"
@@ -34,6 +35,82 @@ constexpr double LossOfKnown = 50.0;
 /// way.
 constexpr double FewYields = 0.01;
 using Gradient = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+
+struct BaseKey
+{
+  double detailSize;
+
+  bool operator==(const BaseKey& other) const { return this->detailSize == other.detailSize; }
+};
+
+/// B and what it is made with; nothing with detail size 0.
+struct SmoothBase
+{
+  SurfaceGrid Grid;
+  int Walls = 0;
+  Points B;
+  Fields Gradients;   // of the base, at the samples
+  Points AreaVectors; // of the base, at the samples
+};
+
+/// Of what depends on nothing but the base.
+struct OfBase
+{
+  int base; // version
+
+  bool operator==(const OfBase& other) const { return this->base == other.base; }
+};
+
+struct ThicknessKey
+{
+  int base;      // version
+  double radius; // that bounds it
+
+  bool operator==(const ThicknessKey& other) const
+  {
+    return this->base == other.base && this->radius == other.radius;
+  }
+};
+
+struct SphereKey
+{
+  int base; // version
+  CenterMode center;
+  RadiusMode radius;
+
+  bool operator==(const SphereKey& other) const
+  {
+    return this->base == other.base && this->center == other.center && this->radius == other.radius;
+  }
+};
+
+struct SharesKey
+{
+  std::vector<int> ids;
+  double blend;
+
+  bool operator==(const SharesKey& other) const
+  {
+    return this->ids == other.ids && this->blend == other.blend;
+  }
+};
+
+struct CenterJoints
+{
+  SurfaceGrid Grid;
+  Fields Shares; // n x centers
+};
+
+struct LengthKey
+{
+  KeepSize keep;
+  int upAxis;
+
+  bool operator==(const LengthKey& other) const
+  {
+    return this->keep == other.keep && this->upAxis == other.upAxis;
+  }
+};
 }
 
 class ClosedFormStyle::State
@@ -41,32 +118,14 @@ class ClosedFormStyle::State
 public:
   const Points* P = nullptr;
   const Triangles* F = nullptr;
-  // Depends on the mesh.
-  Eigen::VectorXd Areas; // of the points
-  SizeOptions KnownSize; // whose rest length this is: with Off it is 1
-  double RestLength = 1.0;
-  bool IsOriented = false;
-  Triangles Turned; // facing outward; none where they do already
-  // Depends on the detail size too.
-  double Size = -1.0;
-  SurfaceGrid Grid;
-  int Walls = 0;
-  Points Base;        // none with detail size 0
-  Fields Gradients;   // of the base, at the samples
-  Points AreaVectors; // of the base, at the samples
-  Points Normals;     // of the base, or given
-  bool AreGivenNormals = false;
-  Eigen::VectorXd Thickness;
-  double ThicknessRadius = 0.0; // the radius that bounds it
-  bool HasSphere = false;       // of the whole base, for these modes
-  CenterMode CenterOf = CenterMode::Custom;
-  RadiusMode RadiusOf = RadiusMode::Custom;
-  Sphere WholeSphere;
-  // Depends on the centers' ids and blend.
-  std::vector<int> CenterIds;
-  double CenterBlend = -1.0;
-  SurfaceGrid CenterGrid;
-  Fields Shares;
+  Stage<OfMesh, Eigen::VectorXd> Areas; // of the points
+  Stage<OfMesh, Triangles> Turned;      // facing outward; none where they do already
+  Stage<LengthKey, double> RestLength;  // of the whole model
+  Stage<BaseKey, SmoothBase> Base;
+  Stage<OfBase, Points> OwnNormals; // of the base
+  Stage<ThicknessKey, Eigen::VectorXd> Thickness;
+  Stage<SphereKey, Sphere> WholeSphere; // of the whole base
+  Stage<SharesKey, CenterJoints> Joints;
   // Of the last solve.
   Callback Asked;
   int Steps = 0;
@@ -76,15 +135,18 @@ public:
   Points Positions;
   Matrices R;
 
-  const Points& GetBase() const { return this->Size > 0.0 ? this->Base : *this->P; }
+  const Points& GetBase() const { return this->HasDetails() ? this->Base->B : *this->P; }
+  bool HasDetails() const { return this->Base->B.rows() > 0; }
   void Start(const Callback& callback);
   void Step();
   const Triangles& Outward();
-  void UpdateGrid(const ClosedFormOptions& o, ClosedFormReport& report);
-  void KeepWhatIsUnknown(int threads);
-  void UpdateNormals(const ClosedFormOptions& o);
+  void UpdateBase(const ClosedFormOptions& o, ClosedFormReport& report);
+  void MakeBase(const ClosedFormOptions& o, SmoothBase& base);
+  void KeepWhatIsUnknown(int threads, SmoothBase& base) const;
+  const Points& Normals(const ClosedFormOptions& o);
+  void MakeNormals(int threads, Points& normals) const;
   void UpdateThickness(const ClosedFormOptions& o, double radius);
-  void UpdateShares(const ClosedFormOptions& o);
+  void UpdateJoints(const ClosedFormOptions& o);
   std::vector<Sphere> Spheres(const ClosedFormOptions& o);
   Sphere SphereOfAll(const ClosedFormOptions& o);
   Points Directions(const ClosedFormOptions& o, const Sphere& sphere, std::vector<int>& onCenter);
@@ -113,109 +175,109 @@ void ClosedFormStyle::State::Step()
 /// The triangles, made to agree on their outside and turned so that the volume is positive.
 const Triangles& ClosedFormStyle::State::Outward()
 {
-  if (!this->IsOriented)
-  {
-    Triangles oriented = OrientAlike(*this->P, *this->F);
-    if (EnclosedVolume(*this->P, oriented) < 0.0)
+  this->Turned.Update({},
+    [&](Triangles& turned)
     {
-      oriented.col(1).swap(oriented.col(2));
-    }
-    if (oriented == *this->F)
-    {
-      oriented.resize(0, 3);
-    }
-    this->Turned = std::move(oriented);
-    this->IsOriented = true;
-  }
-  return this->Turned.rows() > 0 ? this->Turned : *this->F;
+      Triangles oriented = OrientAlike(*this->P, *this->F);
+      if (EnclosedVolume(*this->P, oriented) < 0.0)
+      {
+        oriented.col(1).swap(oriented.col(2));
+      }
+      if (oriented == *this->F)
+      {
+        oriented.resize(0, 3);
+      }
+      turned = std::move(oriented);
+    });
+  return this->Turned->rows() > 0 ? this->Turned.Get() : *this->F;
 }
 
 /// [grid] [base]
-void ClosedFormStyle::State::UpdateGrid(const ClosedFormOptions& o, ClosedFormReport& report)
+void ClosedFormStyle::State::UpdateBase(const ClosedFormOptions& o, ClosedFormReport& report)
 {
   const Stopwatch watch;
-  if (o.detailSize != this->Size)
-  {
-    this->Size = -1.0;
-    this->Base.resize(0, 3);
-    this->Normals.resize(0, 3);
-    this->Thickness.resize(0);
-    this->HasSphere = false;
-    this->Grid = {};
-    this->Walls = 0;
-    if (o.detailSize > 0.0)
-    {
-      const Triangles& outward = this->Outward();
-      this->Step();
-      this->Grid = SurfaceGrid(*this->P, outward, o.detailSize, o.threads);
-      this->Step();
-      const std::vector<GridPair> walls = FindWalls(this->Grid, *this->P, outward, o.threads);
-      this->Walls = static_cast<int>(walls.size());
-      this->Step();
-      this->Grid.Factor(walls, o.threads);
-      this->Step();
-      const Fields base = this->Grid.SmoothTwice(this->Grid.GetPlaces(), o.threads);
-      this->Base = this->Grid.AtPoints(base, *this->P, o.threads);
-      this->KeepWhatIsUnknown(o.threads);
-      this->Gradients = this->Grid.Gradients(this->Base, o.threads);
-      this->AreaVectors = this->Grid.AreaVectorsUnder(this->Gradients, o.threads);
-      this->Step();
-    }
-    this->Size = o.detailSize;
-  }
-  report.functions = this->Grid.GetNumberOfFunctions();
-  report.spacing = this->Grid.GetSpacing();
-  report.coarser = this->Size > 0.0 && this->Grid.IsCoarser();
-  report.walls = this->Walls;
+  this->Base.Update({ o.detailSize }, [&](SmoothBase& base) { this->MakeBase(o, base); });
+  report.functions = this->Base->Grid.GetNumberOfFunctions();
+  report.spacing = this->Base->Grid.GetSpacing();
+  report.coarser = this->HasDetails() && this->Base->Grid.IsCoarser();
+  report.walls = this->Base->Walls;
   report.baseSeconds += watch.Seconds();
+}
+
+void ClosedFormStyle::State::MakeBase(const ClosedFormOptions& o, SmoothBase& base)
+{
+  base = {}; // its memory is needed
+  if (o.detailSize == 0.0)
+  {
+    return;
+  }
+  const Triangles& outward = this->Outward();
+  this->Step();
+  base.Grid = SurfaceGrid(*this->P, outward, o.detailSize, o.threads);
+  this->Step();
+  const std::vector<GridPair> walls = FindWalls(base.Grid, *this->P, outward, o.threads);
+  base.Walls = static_cast<int>(walls.size());
+  this->Step();
+  base.Grid.Factor(walls, o.threads);
+  this->Step();
+  const Fields smooth = base.Grid.SmoothTwice(base.Grid.GetPlaces(), o.threads);
+  base.B = base.Grid.AtPoints(smooth, *this->P, o.threads);
+  this->KeepWhatIsUnknown(o.threads, base);
+  base.Gradients = base.Grid.Gradients(base.B, o.threads);
+  base.AreaVectors = base.Grid.AreaVectorsUnder(base.Gradients, o.threads);
+  this->Step();
 }
 
 /// A loose part may be so small that the ridge of A_s outweighs it: what is smoothed there becomes
 /// 0. Where the field 1 does not stay 1, the base is the model.
-void ClosedFormStyle::State::KeepWhatIsUnknown(int threads)
+void ClosedFormStyle::State::KeepWhatIsUnknown(int threads, SmoothBase& base) const
 {
-  const Fields ones = Fields::Ones(this->Grid.GetNumberOfSamples(), 1);
-  const Fields known =
-    this->Grid.AtPoints(this->Grid.SmoothTwice(ones, threads), *this->P, threads);
+  const Fields ones = Fields::Ones(base.Grid.GetNumberOfSamples(), 1);
+  const Fields known = base.Grid.AtPoints(base.Grid.SmoothTwice(ones, threads), *this->P, threads);
   for (Eigen::Index i = 0; i < known.rows(); ++i)
   {
     const double share =
       std::clamp(MostKnown - LossOfKnown * std::abs(1.0 - known(i, 0)), 0.0, 1.0);
-    this->Base.row(i) = this->P->row(i) + share * (this->Base.row(i) - this->P->row(i));
+    base.B.row(i) = this->P->row(i) + share * (base.B.row(i) - this->P->row(i));
   }
 }
 
-void ClosedFormStyle::State::UpdateNormals(const ClosedFormOptions& o)
+/// Those of the base; without details, those that are given.
+const Points& ClosedFormStyle::State::Normals(const ClosedFormOptions& o)
 {
-  const bool given = this->Size == 0.0 && o.normals.rows() > 0;
-  if (given)
+  if (!this->HasDetails() && o.normals.rows() > 0)
   {
-    this->Normals = o.normals;
-    this->AreGivenNormals = true;
-    return;
+    return o.normals;
   }
-  if (this->Normals.rows() > 0 && !this->AreGivenNormals)
-  {
-    return;
-  }
-  this->AreGivenNormals = false;
-  if (this->Size == 0.0)
-  {
-    this->Normals = PointNormals(*this->P, this->Outward());
-    return;
-  }
-  Fields means(this->AreaVectors.rows(), 4);
-  means << this->AreaVectors, this->AreaVectors.rowwise().norm();
-  means = this->Grid.GetWeights().cwiseInverse().asDiagonal() * means;
-  const Fields smooth =
-    this->Grid.AtPoints(this->Grid.Smooth(means, o.threads), *this->P, o.threads);
-  this->Normals = Points::Zero(smooth.rows(), 3);
+  this->OwnNormals.Update({ this->Base.GetVersion() },
+    [&](Points& normals)
+    {
+      if (this->HasDetails())
+      {
+        this->MakeNormals(o.threads, normals);
+      }
+      else
+      {
+        normals = PointNormals(*this->P, this->Outward());
+      }
+    });
+  return this->OwnNormals.Get();
+}
+
+void ClosedFormStyle::State::MakeNormals(int threads, Points& normals) const
+{
+  const SmoothBase& base = this->Base.Get();
+  Fields means(base.AreaVectors.rows(), 4);
+  means << base.AreaVectors, base.AreaVectors.rowwise().norm();
+  means = base.Grid.GetWeights().cwiseInverse().asDiagonal() * means;
+  const Fields smooth = base.Grid.AtPoints(base.Grid.Smooth(means, threads), *this->P, threads);
+  normals = Points::Zero(smooth.rows(), 3);
   for (Eigen::Index i = 0; i < smooth.rows(); ++i)
   {
     const double length = std::max(smooth.row(i).head<3>().norm(), LeastAgreement * smooth(i, 3));
     if (length > 0.0)
     {
-      this->Normals.row(i) = smooth.row(i).head<3>() / length;
+      normals.row(i) = smooth.row(i).head<3>() / length;
     }
   }
 }
@@ -223,62 +285,50 @@ void ClosedFormStyle::State::UpdateNormals(const ClosedFormOptions& o)
 /// [limb]
 void ClosedFormStyle::State::UpdateThickness(const ClosedFormOptions& o, double radius)
 {
-  if (this->Thickness.size() == 0 || radius != this->ThicknessRadius)
+  const auto make = [&](Eigen::VectorXd& thickness)
+  { thickness = LimbThickness(*this->P, this->GetBase(), this->Outward(), radius, o.threads); };
+  if (this->Thickness.Update({ this->Base.GetVersion(), radius }, make))
   {
-    this->Thickness = LimbThickness(*this->P, this->GetBase(), this->Outward(), radius, o.threads);
-    this->ThicknessRadius = radius;
     this->Step();
   }
 }
 
-void ClosedFormStyle::State::UpdateShares(const ClosedFormOptions& o)
+void ClosedFormStyle::State::UpdateJoints(const ClosedFormOptions& o)
 {
-  const int centers = o.NumberOfCenters();
-  if (o.centerIds == this->CenterIds && o.centerBlend == this->CenterBlend)
+  const auto make = [&](CenterJoints& joints)
   {
-    return;
-  }
-  this->CenterBlend = -1.0;
-  this->Shares.resize(0, 0);
-  this->CenterGrid = {};
-  if (centers > 1)
-  {
-    this->Shares = Fields::Zero(this->P->rows(), centers);
+    joints = {};
+    joints.Shares = Fields::Zero(this->P->rows(), o.NumberOfCenters());
     for (Eigen::Index i = 0; i < this->P->rows(); ++i)
     {
-      this->Shares(i, o.centerIds[i]) = 1.0;
+      joints.Shares(i, o.centerIds[i]) = 1.0;
     }
     constexpr double Finest = 0.02; // the grid of the joints, where their width is less
-    this->CenterGrid = SurfaceGrid(*this->P, *this->F, std::max(o.centerBlend, Finest), o.threads);
+    joints.Grid = SurfaceGrid(*this->P, *this->F, std::max(o.centerBlend, Finest), o.threads);
     if (o.centerBlend > 0.0)
     {
-      this->CenterGrid.Factor({}, o.threads);
+      joints.Grid.Factor({}, o.threads);
       const Fields smooth =
-        this->CenterGrid.SmoothTwice(this->CenterGrid.Means(this->Shares, o.threads), o.threads);
-      this->Shares = this->CenterGrid.AtPoints(smooth, *this->P, o.threads).cwiseMax(0.0);
-      this->Shares.array().colwise() /= this->Shares.rowwise().sum().array().eval();
+        joints.Grid.SmoothTwice(joints.Grid.Means(joints.Shares, o.threads), o.threads);
+      joints.Shares = joints.Grid.AtPoints(smooth, *this->P, o.threads).cwiseMax(0.0);
+      joints.Shares.array().colwise() /= joints.Shares.rowwise().sum().array().eval();
     }
-    this->CenterGrid.FactorPoisson(o.threads);
+    joints.Grid.FactorPoisson(o.threads);
+  };
+  if (this->Joints.Update({ o.centerIds, o.centerBlend }, make))
+  {
     this->Step();
   }
-  this->CenterIds = o.centerIds;
-  this->CenterBlend = o.centerBlend;
 }
 
 /// What no drag changes is worked out once.
 Sphere ClosedFormStyle::State::SphereOfAll(const ClosedFormOptions& o)
 {
-  if (!this->HasSphere || o.centerMode != this->CenterOf || o.radiusMode != this->RadiusOf)
-  {
-    this->HasSphere = false;
-    this->WholeSphere =
-      TargetSphere(this->GetBase(), *this->F, o.centerMode, o.radiusMode, o.custom);
-    this->CenterOf = o.centerMode;
-    this->RadiusOf = o.radiusMode;
-    this->HasSphere = true;
-  }
+  this->WholeSphere.Update({ this->Base.GetVersion(), o.centerMode, o.radiusMode },
+    [&](Sphere& sphere)
+    { sphere = TargetSphere(this->GetBase(), *this->F, o.centerMode, o.radiusMode, o.custom); });
   // Custom modes take what is given, and say what is wrong with it.
-  const Sphere& known = this->WholeSphere;
+  const Sphere& known = this->WholeSphere.Get();
   const Sphere sphere = { o.centerMode == CenterMode::Custom ? o.custom.center : known.center,
     o.radiusMode == RadiusMode::Custom ? o.custom.radius : known.radius };
   return TargetSphere(*this->P, *this->F, CenterMode::Custom, RadiusMode::Custom, sphere);
@@ -309,14 +359,16 @@ Points ClosedFormStyle::State::Directions(
     return t;
   }
   const bool own = o.normalRadius == NormalRadius::OwnThickness;
+  const Points& normals = this->Normals(o);
+  const Eigen::VectorXd& thickness = this->Thickness.Get();
   ParallelFor(static_cast<int>(t.rows()), o.threads,
     [&](int begin, int end)
     {
       for (int i = begin; i < end; ++i)
       {
         const double a = o.normalBlends.size() > 0 ? o.normalBlends(i) : o.normalBlend;
-        const double rho = own ? this->Thickness(i) / sphere.radius : 1.0;
-        t.row(i) = (1.0 - a) * t.row(i) + a * rho * this->Normals.row(i);
+        const double rho = own ? thickness(i) / sphere.radius : 1.0;
+        t.row(i) = (1.0 - a) * t.row(i) + a * rho * normals.row(i);
       }
     });
   return t;
@@ -328,25 +380,26 @@ Points ClosedFormStyle::State::Directions(
 void ClosedFormStyle::State::JoinCenters(
   const ClosedFormOptions& o, const std::vector<Points>& targets)
 {
-  const int samples = this->CenterGrid.GetNumberOfSamples();
+  const SurfaceGrid& grid = this->Joints->Grid;
+  const int samples = grid.GetNumberOfSamples();
   Fields slope = Fields::Zero(samples, 9);
   for (std::size_t k = 0; k < targets.size(); ++k)
   {
     Points share = Points::Zero(this->P->rows(), 3);
-    share.col(0) = this->Shares.col(static_cast<Eigen::Index>(k));
-    const Fields gradients = this->CenterGrid.Gradients(share, o.threads);
-    const Fields target = this->CenterGrid.Means(targets[k], o.threads);
+    share.col(0) = this->Joints->Shares.col(static_cast<Eigen::Index>(k));
+    const Fields gradients = grid.Gradients(share, o.threads);
+    const Fields target = grid.Means(targets[k], o.threads);
     for (int i = 0; i < samples; ++i)
     {
       for (int axis = 0; axis < 3; ++axis)
       {
         slope.row(i).segment<3>(3 * axis) -=
-          this->CenterGrid.GetWeights()(i) * target(i, axis) * gradients.row(i).head<3>();
+          grid.GetWeights()(i) * target(i, axis) * gradients.row(i).head<3>();
       }
     }
   }
-  const Fields Y = this->CenterGrid.Solve(Fields::Zero(samples, 3), slope, o.threads);
-  this->Targets += this->CenterGrid.AtPoints(Y, *this->P, o.threads);
+  const Fields Y = grid.Solve(Fields::Zero(samples, 3), slope, o.threads);
+  this->Targets += grid.AtPoints(Y, *this->P, o.threads);
 }
 
 void ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFormReport& report)
@@ -354,7 +407,7 @@ void ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFormR
   report.spheres = this->Spheres(o);
   if (o.UsesNormals())
   {
-    this->UpdateNormals(o);
+    this->Normals(o);
     if (o.normalRadius == NormalRadius::OwnThickness)
     {
       double largest = 0.0;
@@ -372,14 +425,14 @@ void ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFormR
     this->Targets = (sphere.radius * this->T).rowwise() + sphere.center.transpose();
     return;
   }
-  this->UpdateShares(o);
+  this->UpdateJoints(o);
   this->T = Points::Zero(this->P->rows(), 3);
   this->Targets = Points::Zero(this->P->rows(), 3);
   std::vector<Points> targets;
   for (std::size_t k = 0; k < report.spheres.size(); ++k)
   {
     const Sphere& sphere = report.spheres[k];
-    const auto omega = this->Shares.col(static_cast<Eigen::Index>(k)).asDiagonal();
+    const auto omega = this->Joints->Shares.col(static_cast<Eigen::Index>(k)).asDiagonal();
     std::vector<int> onCenter;
     const Points t = this->Directions(o, sphere, onCenter);
     this->T += omega * t;
@@ -413,7 +466,7 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
 {
   const Points& P0 = *this->P;
   this->R.clear();
-  if (this->Size == 0.0)
+  if (!this->HasDetails())
   {
     this->Positions = this->Moved;
     if (o.keepRotations)
@@ -422,29 +475,30 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
     }
     return;
   }
-  const int samples = this->Grid.GetNumberOfSamples();
-  const Fields moved = this->Grid.Gradients(this->Moved, o.threads);
-  const Points& before = this->AreaVectors;
-  const Points after = this->Grid.AreaVectorsUnder(moved, o.threads);
+  const SmoothBase& base = this->Base.Get();
+  const SurfaceGrid& grid = base.Grid;
+  const int samples = grid.GetNumberOfSamples();
+  const Fields moved = grid.Gradients(this->Moved, o.threads);
+  const Points& before = base.AreaVectors;
+  const Points after = grid.AreaVectorsUnder(moved, o.threads);
   Fields S(samples, 9);
   ParallelFor(samples, o.threads,
     [&](int begin, int end)
     {
       for (int k = begin; k < end; ++k)
       {
-        const Gradient G(this->Gradients.row(k).data());
+        const Gradient G(base.Gradients.row(k).data());
         const Gradient H(moved.row(k).data());
         Eigen::Matrix3d covariance = G * H.transpose();
         const double size = std::sqrt(before.row(k).norm() * after.row(k).norm());
         if (size > 0.0)
         {
-          covariance +=
-            before.row(k).transpose() * after.row(k) / (size * this->Grid.GetWeights()(k));
+          covariance += before.row(k).transpose() * after.row(k) / (size * grid.GetWeights()(k));
         }
         Eigen::Map<Eigen::Matrix3d>(S.row(k).data()) = covariance; // column by column
       }
     });
-  const Fields smooth = this->Grid.SmoothTwice(S, o.threads);
+  const Fields smooth = grid.SmoothTwice(S, o.threads);
   const int n = static_cast<int>(P0.rows());
   if (o.keepRotations)
   {
@@ -457,12 +511,12 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
     {
       const int begin = Packet * task;
       const int count = std::min(Packet, n - begin);
-      const Fields at = this->Grid.AtPoints(smooth, P0.middleRows(begin, count), 1);
+      const Fields at = grid.AtPoints(smooth, P0.middleRows(begin, count), 1);
       Matrices R(count, Eigen::Matrix3d::Identity());
       FitRotations(at.data(), count, R.data());
       for (int i = 0; i < count; ++i)
       {
-        const Eigen::Vector3d detail = (P0.row(begin + i) - this->Base.row(begin + i)).transpose();
+        const Eigen::Vector3d detail = (P0.row(begin + i) - base.B.row(begin + i)).transpose();
         this->Positions.row(begin + i) = this->Moved.row(begin + i) + (R[i] * detail).transpose();
       }
       if (o.keepRotations)
@@ -471,7 +525,7 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
       }
     });
   // The area vectors turned with the details, and what of them B' has.
-  const Fields atSamples = this->Grid.AtSamples(smooth, o.threads);
+  const Fields atSamples = grid.AtSamples(smooth, o.threads);
   Points turned(samples, 3);
   Eigen::VectorXd areas(samples);
   ParallelFor(samples, o.threads,
@@ -479,7 +533,7 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
     {
       for (int k = begin; k < end; ++k)
       {
-        const Eigen::Vector3d N = this->Grid.GetAreaVectors().row(k);
+        const Eigen::Vector3d N = grid.GetAreaVectors().row(k);
         turned.row(k) =
           ClosestRotation(Eigen::Map<const Eigen::Matrix3d>(atSamples.row(k).data())) * N;
         areas(k) = turned.row(k).dot(after.row(k));
@@ -494,8 +548,9 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
 void ClosedFormStyle::State::Yield(
   const ClosedFormOptions& o, const Points& turned, const Eigen::VectorXd& areas)
 {
+  const SurfaceGrid& grid = this->Base->Grid;
   const Points carried =
-    this->Grid.AreaVectorsUnder(this->Grid.Gradients(this->Positions, o.threads), o.threads);
+    grid.AreaVectorsUnder(grid.Gradients(this->Positions, o.threads), o.threads);
   Fields yields = Fields::Zero(areas.size(), 2); // y and y^2
   for (Eigen::Index k = 0; k < areas.size(); ++k)
   {
@@ -511,8 +566,7 @@ void ClosedFormStyle::State::Yield(
   {
     return;
   }
-  const Fields yield =
-    this->Grid.AtPoints(this->Grid.Smooth(yields, o.threads), *this->P, o.threads);
+  const Fields yield = grid.AtPoints(grid.Smooth(yields, o.threads), *this->P, o.threads);
   ParallelFor(static_cast<int>(yield.rows()), o.threads,
     [&](int begin, int end)
     {
@@ -566,16 +620,14 @@ void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport&
     }
   }
   const Triangles& F0 = o.fixedPoints.empty() ? *this->F : measured;
-  if (this->Areas.size() == 0)
-  {
-    this->Areas = PointAreas(P0, *this->F);
-  }
+  this->Areas.Update({}, [&](Eigen::VectorXd& areas) { areas = PointAreas(P0, *this->F); });
+  const Eigen::VectorXd& areas = this->Areas.Get();
   Eigen::RowVector3d shift = Eigen::RowVector3d::Zero();
   double total = 0.0;
   for (const int i : members)
   {
-    shift += this->Areas(i) * (P0.row(i) - this->Positions.row(i));
-    total += this->Areas(i);
+    shift += areas(i) * (P0.row(i) - this->Positions.row(i));
+    total += areas(i);
   }
   shift /= total;
   if (o.keepLastPoint)
@@ -586,17 +638,19 @@ void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport&
   {
     this->Positions.row(i) += shift;
   }
-  const bool known = o.fixedPoints.empty() && o.size.keep == this->KnownSize.keep &&
-    o.size.upAxis == this->KnownSize.upAxis;
-  const double before =
-    known ? this->RestLength : LengthOf(P0, F0, members, this->Areas, o.size, o.threads);
+  const auto measure = [&] { return LengthOf(P0, F0, members, areas, o.size, o.threads); };
+  double before = 0.0;
   if (o.fixedPoints.empty())
   {
-    this->KnownSize = o.size;
-    this->RestLength = before;
+    this->RestLength.Update(
+      { o.size.keep, o.size.upAxis }, [&](double& length) { length = measure(); });
+    before = this->RestLength.Get();
   }
-  report.scale =
-    RestoreSize(P0, F0, members, this->Areas, o.size, before, o.threads, this->Positions);
+  else
+  {
+    before = measure();
+  }
+  report.scale = RestoreSize(P0, F0, members, areas, o.size, before, o.threads, this->Positions);
 }
 
 //------------------------------------------------------------------------------------------------
@@ -619,7 +673,7 @@ ClosedFormReport ClosedFormStyle::Solve(const ClosedFormOptions& options, const 
   State& s = *this->S;
   s.Start(callback);
   ClosedFormReport report;
-  s.UpdateGrid(options, report);
+  s.UpdateBase(options, report);
   const Stopwatch watch;
   s.MakeTargets(options, report);
   s.BlendBase(options);
@@ -637,13 +691,14 @@ ClosedFormReport ClosedFormStyle::Carry(
   State& s = *this->S;
   s.Start(callback);
   ClosedFormReport report;
-  s.UpdateGrid(options, report);
+  s.UpdateBase(options, report);
   const Stopwatch watch;
   s.Moved = Q;
-  if (s.Size > 0.0)
+  if (s.HasDetails())
   {
-    const Fields base = s.Grid.SmoothTwice(s.Grid.Means(Q, options.threads), options.threads);
-    s.Moved = s.Grid.AtPoints(base, *s.P, options.threads);
+    const SurfaceGrid& grid = s.Base->Grid;
+    const Fields base = grid.SmoothTwice(grid.Means(Q, options.threads), options.threads);
+    s.Moved = grid.AtPoints(base, *s.P, options.threads);
   }
   s.CarryDetails(options);
   s.Place(options, report);
@@ -660,11 +715,11 @@ Points ClosedFormStyle::ThickNormals(const ClosedFormOptions& options, const Cal
   State& s = *this->S;
   s.Start(callback);
   ClosedFormReport report;
-  s.UpdateGrid(options, report);
+  s.UpdateBase(options, report);
   const double radius = s.Spheres(options).front().radius;
-  s.UpdateNormals(options);
+  const Points& normals = s.Normals(options);
   s.UpdateThickness(options, radius);
-  return (s.Thickness / radius).asDiagonal() * s.Normals;
+  return (s.Thickness.Get() / radius).asDiagonal() * normals;
 }
 
 const Points& ClosedFormStyle::GetPositions() const

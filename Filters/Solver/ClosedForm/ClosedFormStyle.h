@@ -58,12 +58,8 @@ struct ClosedFormReport
 ///     T_i = O + (1 - a) r d_i + a rho_i n_i            B'_i = B_i + mu / (1 + mu) (T_i - B_i)
 ///     P'_i = B'_i + R_i (P_i - B_i)
 ///
-/// | change                                            | redone                              |
-/// |---------------------------------------------------|-------------------------------------|
-/// | points or triangles                               | all                                 |
-/// | detail size                                       | grid, base, normals, thickness      |
-/// | center ids, blend of several centers              | shares                              |
-/// | all else                                          | targets, rotations, sum             |
+/// The stages of its State, with their keys, are what a change redoes; all that is in no key redoes
+/// targets, rotations and the sum.
 ///
 /// Base: with sigma = smooth_s(smooth_s(1)), which the ridge of A_s makes less than 1 on loose
 /// parts that are small against a cell, and e_i = clamp(1.5 - 50 |1 - sigma_i|, 0, 1),
