@@ -4,6 +4,7 @@
 
 #include "CenterShares.h"
 #include "SolverMesh.h"
+#include "Stage.h"
 #include "Stopwatch.h"
 #include "SurfaceMeasures.h"
 
@@ -86,30 +87,79 @@ bool StartsFromBlend(const StyleOptions& o)
 {
   return o.initialGuess != InitialGuess::Rest && !o.localTerm;
 }
+
+struct OfPoints
+{
+  int mesh; // version
+
+  bool operator==(const OfPoints& other) const { return this->mesh == other.mesh; }
+};
+
+struct TrianglesKey
+{
+  int mesh; // version
+  EnergyTriangleOptions shape;
+
+  bool operator==(const TrianglesKey& other) const
+  {
+    return this->mesh == other.mesh && this->shape == other.shape;
+  }
+};
+
+/// What the energy is a sum over.
+struct EnergySum
+{
+  EnergyTriangleOptions Shape;
+  EnergyTriangles Reshaped; // empty where the energy keeps the surface's
+  Points RestMeans;         // of the components
+  /// Another one for other triangles: points can move, and edges fail to flip, without that.
+  int TopologyVersion = 0;
+};
+
+struct OfTopology
+{
+  int topology; // version
+
+  bool operator==(const OfTopology& other) const { return this->topology == other.topology; }
+};
+
+struct GlobalKey
+{
+  int topology; // version
+  std::vector<int> fixedPoints;
+  LinearMethod method;
+
+  bool operator==(const GlobalKey& other) const
+  {
+    return this->topology == other.topology && this->fixedPoints == other.fixedPoints &&
+      this->method == other.method;
+  }
+};
+
+struct SharesKey
+{
+  int triangles; // version
+  std::vector<int> ids;
+  double blend;
+  LinearMethod method; // they are solved for
+
+  bool operator==(const SharesKey& other) const
+  {
+    return this->triangles == other.triangles && this->ids == other.ids &&
+      this->blend == other.blend && this->method == other.method;
+  }
+};
 }
 
 //------------------------------------------------------------------------------------------------
 class StyleSolver::State : public SolverMesh
 {
 public:
-  bool IsWhole = true; // not while a solve is under way, nor after one that has thrown
-  // Depends on the mesh.
-  Eigen::VectorXd Areas; // of the points
-  // Depends on what shapes the energy's triangles too.
-  bool HasTriangles = false;
-  EnergyTriangleOptions Shape;
-  EnergyTriangles Reshaped; // empty where the energy keeps the surface's
-  CellPattern Cells;
-  Points RestMeans;
-  // Depends on the centers' ids and blend too.
-  std::vector<int> CenterIds;
-  double CenterBlend = 0.0;
-  Eigen::MatrixXd Shares; // n x centers; no columns for one center
-  // Depends on weights and fixed points too.
-  std::vector<int> FixedPoints;
-  LinearMethod Method = LinearMethod::Automatic;
-  bool HasGlobal = false;
-  GlobalStep Global;
+  Stage<OfPoints, Eigen::VectorXd> Areas; // of the points
+  Stage<TrianglesKey, EnergySum> Sum;
+  Stage<OfTopology, CellPattern> Cells;
+  Stage<GlobalKey, GlobalStep> Global;      // whose own key is the weights, see SetWeights
+  Stage<SharesKey, Eigen::MatrixXd> Shares; // n x centers; no columns for one center
   // Result of the last solve.
   StyleEnergy Energy;
   Points T;
@@ -120,12 +170,13 @@ public:
   /// The triangles of the energy. Areas, normals and spheres are those of the surface.
   const EnergyTriangles& Summed() const
   {
-    return this->Shape.KeepSurface() ? this->Surface : this->Reshaped;
+    return this->Sum->Shape.KeepSurface() ? this->Surface : this->Sum->Reshaped;
   }
   const Triangles& SummedTriangles() const { return this->Summed().Topology.GetTriangles(); }
 
-  void Forget();
-  void UpdateTriangles(const EnergyTriangleOptions& options);
+  StyleReport Solve(const StyleOptions& options, const Callback& callback);
+  void Forget() noexcept;
+  void UpdateTriangles(const EnergyTriangleOptions& shape);
   void UpdateShares(const StyleOptions& options);
   Points Directions(
     const StyleOptions& options, const Eigen::Vector3d& center, std::vector<int>& onCenter) const;
@@ -167,8 +218,8 @@ void StyleSolver::SetMesh(const TriangleMesh& mesh)
     next = std::make_unique<State>();
   }
   next->Set(mesh, change);
-  next->HasTriangles = false;
-  next->Areas = PointAreas(next->P, mesh.F);
+  next->Areas.Update(
+    { next->Version }, [&](Eigen::VectorXd& areas) { areas = PointAreas(next->P, mesh.F); });
   this->S = std::move(next);
 }
 
@@ -185,60 +236,52 @@ EnergyTriangleOptions ShapeOf(const StyleOptions& options, const MeshTopology& s
 }
 
 /// Keeps what depends on the mesh alone.
-void StyleSolver::State::Forget()
+void StyleSolver::State::Forget() noexcept
 {
-  this->HasTriangles = false; // and with them all but what follows
-  this->HasGlobal = false;
-  this->Reshaped = {};
-  this->Cells = {};
+  this->Sum.Forget();
+  this->Cells.Forget();
+  this->Global.Forget();
+  this->Shares.Forget();
 }
 
-void StyleSolver::State::UpdateTriangles(const EnergyTriangleOptions& options)
+void StyleSolver::State::UpdateTriangles(const EnergyTriangleOptions& shape)
 {
-  if (this->HasTriangles && options == this->Shape)
-  {
-    return;
-  }
-  this->HasTriangles = false;
-  // Ordering and symbolic factor stay with the triangles that they were made for.
-  bool replaced = options.KeepSurface() != this->Shape.KeepSurface();
-  this->Shape = options;
-  if (options.KeepSurface())
-  {
-    this->Reshaped = {};
-  }
-  else
-  {
-    replaced |= UpdateEnergyTriangles(this->P, this->Surface, options, this->Reshaped);
-  }
-  this->HasGlobal &= !replaced;
-  if (replaced)
-  {
-    this->Cells = {};
-  }
-  this->RestMeans = this->Summed().Topology.ComponentMeans(this->P, this->Areas);
-  this->CenterIds.clear();
-  this->HasTriangles = true;
+  this->Sum.Update({ this->Version, shape },
+    [&](EnergySum& sum)
+    {
+      // Ordering and symbolic factor stay with the triangles that they were made for.
+      if (shape.KeepSurface() != sum.Shape.KeepSurface())
+      {
+        ++sum.TopologyVersion;
+      }
+      sum.Shape = shape;
+      if (shape.KeepSurface())
+      {
+        sum.Reshaped = {};
+      }
+      else if (UpdateEnergyTriangles(this->P, this->Surface, shape, sum.Reshaped))
+      {
+        ++sum.TopologyVersion;
+      }
+      sum.RestMeans = this->Summed().Topology.ComponentMeans(this->P, this->Areas.Get());
+    });
 }
 
 void StyleSolver::State::UpdateShares(const StyleOptions& options)
 {
-  if (options.centerIds == this->CenterIds && options.centerBlend == this->CenterBlend)
+  const auto make = [&](Eigen::MatrixXd& shares)
   {
-    return;
-  }
-  this->CenterIds.clear();
-  const int centers = options.NumberOfCenters();
-  this->Shares.resize(this->P.rows(), 0);
-  if (centers > 1)
-  {
-    const EnergyTriangles& triangles = this->Summed();
-    this->Shares =
-      CenterShares(this->P, triangles.Topology, triangles.Cotangents, options.centerBlend,
-        options.centerIds, centers, this->Areas, options.linearMethod, options.threads);
-  }
-  this->CenterIds = options.centerIds;
-  this->CenterBlend = options.centerBlend;
+    const int centers = options.NumberOfCenters();
+    shares.resize(this->P.rows(), 0);
+    if (centers > 1)
+    {
+      const EnergyTriangles& triangles = this->Summed();
+      shares = CenterShares(this->P, triangles.Topology, triangles.Cotangents, options.centerBlend,
+        options.centerIds, centers, this->Areas.Get(), options.linearMethod, options.threads);
+    }
+  };
+  this->Shares.Update(
+    { this->Sum.GetVersion(), options.centerIds, options.centerBlend, options.linearMethod }, make);
 }
 
 /// t [symbols] for one center.
@@ -286,7 +329,7 @@ HalfEdgeField StyleSolver::State::Targets(const StyleOptions& options, StyleRepo
     for (std::size_t k = 0; k < report.spheres.size(); ++k)
     {
       const Sphere& sphere = report.spheres[k];
-      const Eigen::VectorXd omega = this->Shares.col(static_cast<Eigen::Index>(k));
+      const Eigen::VectorXd omega = this->Shares->col(static_cast<Eigen::Index>(k));
       std::vector<int> onCenter;
       const Points t = this->Directions(options, sphere.center, onCenter);
       AddEdgeTargets(t, sphere.radius, omega, F, tau);
@@ -304,18 +347,9 @@ HalfEdgeField StyleSolver::State::Targets(const StyleOptions& options, StyleRepo
 
 void StyleSolver::State::UpdateGlobal(const StyleOptions& options)
 {
-  if (!this->HasGlobal || options.fixedPoints != this->FixedPoints ||
-    options.linearMethod != this->Method)
-  {
-    this->Global = GlobalStep(this->Summed().Topology, options.fixedPoints, options.linearMethod);
-    this->FixedPoints = options.fixedPoints;
-    if (options.linearMethod != this->Method) // shares are solved for, too
-    {
-      this->CenterIds.clear();
-    }
-    this->Method = options.linearMethod;
-    this->HasGlobal = true;
-  }
+  this->Global.Update({ this->Sum->TopologyVersion, options.fixedPoints, options.linearMethod },
+    [&](GlobalStep& global)
+    { global = GlobalStep(this->Summed().Topology, options.fixedPoints, options.linearMethod); });
 }
 
 /// [blend]: one ratio l / c on all half-edges, targets that are differences of one field, nothing
@@ -383,23 +417,26 @@ void StyleSolver::State::BuildEnergy(
 void StyleSolver::State::PrepareSteps(StyleReport& report)
 {
   const Stopwatch watch;
-  if (this->Cells.GetNumberOfPoints() == 0)
-  {
-    this->Cells = CellPattern(this->Summed().Topology);
-  }
-  this->Energy.PrepareSteps(this->Cells);
+  this->Cells.Update({ this->Sum->TopologyVersion },
+    [&](CellPattern& cells)
+    {
+      cells = {}; // its memory is needed
+      cells = CellPattern(this->Summed().Topology);
+    });
+  this->Energy.PrepareSteps(this->Cells.Get());
   report.seconds.weights += watch.Seconds();
 }
 
 void StyleSolver::State::FactorGlobal(const EdgeWeights& w, int threads, StyleReport& report)
 {
-  report.factored = w.proportional ? this->Global.SetWeights(w.c, 1.0 + w.ratio, threads)
-                                   : this->Global.SetWeights(w.c + w.l, 1.0, threads);
-  report.seconds.analyze = this->Global.GetAnalyzeSeconds();
-  report.seconds.factor = this->Global.GetFactorSeconds();
-  report.linearSolver = this->Global.GetSolverName();
-  report.unfinishedSolves = this->Global.GetNumberOfUnfinishedSolves();
-  report.hasMinimum = this->Global.IsDefinite();
+  GlobalStep& global = this->Global.Use();
+  report.factored = w.proportional ? global.SetWeights(w.c, 1.0 + w.ratio, threads)
+                                   : global.SetWeights(w.c + w.l, 1.0, threads);
+  report.seconds.analyze = global.GetAnalyzeSeconds();
+  report.seconds.factor = global.GetFactorSeconds();
+  report.linearSolver = global.GetSolverName();
+  report.unfinishedSolves = global.GetNumberOfUnfinishedSolves();
+  report.hasMinimum = global.IsDefinite();
 }
 
 /// Rest points with the fixed ones at their positions, every rotation the identity.
@@ -469,51 +506,59 @@ void StyleSolver::State::Start(
   }
 }
 
-StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& callback)
+StyleReport StyleSolver::State::Solve(const StyleOptions& options, const Callback& callback)
 {
-  State& s = *this->S;
-  Require(s.P.rows() > 0, "there is no mesh: SetMesh was not called or has thrown");
-  CheckOptions(options, static_cast<int>(s.P.rows()));
-  if (!std::exchange(s.IsWhole, false))
-  {
-    s.Forget();
-  }
   StyleReport report;
-  s.BuildEnergy(options, s.Prepare(options, report), report);
-  s.StartFromRest(options);
-  StyleSteps problem(
-    s.Energy, s.Global, s.R, s.P, s.Areas, s.RestMeans, options.anchor, options.localTerm.get());
+  this->BuildEnergy(options, this->Prepare(options, report), report);
+  this->StartFromRest(options);
+  StyleSteps problem(this->Energy, this->Global.Use(), this->R, this->P, this->Areas.Get(),
+    this->Sum->RestMeans, options.anchor, options.localTerm.get());
   if (options.localTerm)
   {
-    options.localTerm->SetMesh(s.P, s.Given.F);
+    options.localTerm->SetMesh(this->P, this->Given.F);
   }
-  double restEnergy = problem.Evaluate(s.P).Total();
-  s.PrepareLoop(options, report);
+  double restEnergy = problem.Evaluate(this->P).Total();
+  this->PrepareLoop(options, report);
 
   const Stopwatch iterate;
   if (!options.fixedPoints.empty())
   {
     // Held points can lie anywhere: what is to be gained is then measured from the blend too.
-    Points blend = s.Q;
+    Points blend = this->Q;
     problem.SolveGlobal(blend);
     restEnergy = std::max(restEnergy, problem.Evaluate(blend).Total());
   }
-  s.Start(problem, options, report);
+  this->Start(problem, options, report);
 
   LoopOptions loop = options.loop;
   loop.threads = options.threads;
   loop.maximumNumberOfIterations = report.closedForm ? 0 : loop.maximumNumberOfIterations;
-  report.loop =
-    RunLocalGlobal(problem, s.P, restEnergy, 1e-14 * s.Energy.GetScale(), s.Q, loop, callback);
+  report.loop = RunLocalGlobal(
+    problem, this->P, restEnergy, 1e-14 * this->Energy.GetScale(), this->Q, loop, callback);
   if (report.closedForm)
   {
     report.loop.converged = true;
     report.loop.history.back().gap = 0.0;
   }
   report.seconds.iterate = iterate.Seconds();
-  s.ToModelUnits(options, report);
-  s.IsWhole = true;
+  this->ToModelUnits(options, report);
   return report;
+}
+
+StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& callback)
+{
+  State& s = *this->S;
+  Require(s.P.rows() > 0, "there is no mesh: SetMesh was not called or has thrown");
+  CheckOptions(options, static_cast<int>(s.P.rows()));
+  try
+  {
+    return s.Solve(options, callback);
+  }
+  catch (...)
+  {
+    s.Forget(); // what a stage uses, as the global step its matrix, may be half done
+    throw;
+  }
 }
 
 const Points& StyleSolver::GetPositions() const

@@ -86,18 +86,10 @@ struct StyleReport
   StageSeconds seconds;
 };
 
-/// Built once per mesh and kept: a solve redoes only what its options invalidate.
-///
-/// | change                                   | redone                                   |
-/// |------------------------------------------|------------------------------------------|
-/// | triangles                                | all                                      |
-/// | points                                   | all but topology, ordering, symbolic     |
-/// | to or from intrinsic Delaunay triangles  | all but the surface's own topology       |
-/// | lambda (uniform weights), edge weighting | matrix values, numeric factor, targets   |
-/// | lambda (cotangent weights)               | targets                                  |
-/// | fixed points, linear method              | ordering, symbolic and numeric factor    |
-/// | center ids, blend of several centers     | shares of the centers, targets           |
-/// | a, O, r, normals, targets, concave edges | targets                                  |
+/// Built once per mesh and kept: a solve redoes only what its options make stale. The stages of its
+/// State, with their keys, are what that is; numeric factors are made again for other weights.
+/// Other triangles redo all, other points all but topology, ordering and symbolic factor; all that
+/// is in no key redoes targets.
 class StyleSolver
 {
 public:

@@ -28,6 +28,7 @@ MeshChange SolverMesh::Compare(const TriangleMesh& mesh) const
 
 void SolverMesh::Set(const TriangleMesh& mesh, MeshChange change)
 {
+  ++this->Version;
   this->Given = mesh;
   if (change == MeshChange::Triangles)
   {

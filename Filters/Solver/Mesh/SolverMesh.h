@@ -25,6 +25,7 @@ struct SolverMesh
   Frame MeshFrame;
   Points P;
   EnergyTriangles Surface; ///< the triangles as given
+  int Version = 0;         ///< another one for every mesh that it took
 
   /// @throw std::invalid_argument for a mesh without triangles or with points that are not finite
   MeshChange Compare(const TriangleMesh& mesh) const;
