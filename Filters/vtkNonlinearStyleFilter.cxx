@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <string>
 
 using SphericalStyle::Points;
@@ -38,7 +39,7 @@ constexpr vtkSurfaceMeshConversion::ArrayRule RoundnessFactor = { "Roundness fac
 
 struct vtkNonlinearStyleFilter::Internals
 {
-  vtkSurfaceMesh Surface;
+  std::shared_ptr<const vtkSurfaceMesh> Surface; // shared with the method; or nullptr
   SphericalStyle::NonlinearFeature Solver;
 };
 
@@ -83,8 +84,9 @@ int vtkNonlinearStyleFilter::Execute(
   RequireTarget(
     this->Roundness, this->CenterMode == CUSTOM_CENTER ? this->Center : nullptr, nullptr);
   NonlinearFeature& solver = this->Internal->Solver;
-  vtkSurfaceMesh& surface = this->Internal->Surface;
-  Conversion::Update(input, true, surface);
+  Conversion::Update(input, true, this->Internal->Surface);
+  const std::shared_ptr<const vtkSurfaceMesh> owner = this->Internal->Surface;
+  const vtkSurfaceMesh& surface = *owner;
   NonlinearOptions o;
   o.lambda = this->Roundness;
   o.centerMode = static_cast<SphericalStyle::CenterMode>(this->CenterMode);
@@ -102,7 +104,7 @@ int vtkNonlinearStyleFilter::Execute(
   {
     this->SetProgressText("Rounding");
     this->UpdateProgress(0.1);
-    solver.SetMesh(surface.Mesh);
+    solver.SetMesh(std::shared_ptr<const TriangleMesh>(owner, &surface.Mesh));
     report = solver.Solve(this->ReproduceThesis ? ThesisOptions(o) : o,
       [this](int iteration, double)
       {
@@ -140,7 +142,7 @@ int vtkNonlinearStyleFilter::Execute(
 void vtkNonlinearStyleFilter::Warn(const SphericalStyle::StyleReport& report)
 {
   using namespace SphericalStyle;
-  const vtkSurfaceMesh& surface = this->Internal->Surface;
+  const vtkSurfaceMesh& surface = *this->Internal->Surface;
   std::vector<std::string> remarks = vtkSurfaceMeshConversion::Remarks(surface);
   if (!report.pointsOnCenter.empty())
   {

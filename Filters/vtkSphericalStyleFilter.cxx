@@ -79,9 +79,10 @@ vtkSurfaceMeshConversion::Rows Gather(
 //------------------------------------------------------------------------------------------------
 struct vtkSphericalStyleFilter::Internals
 {
-  vtkSurfaceMesh Surface;      // of the last input, as it came
-  double LongEdgeShare = -1.0; // of that
-  vtkSurfaceMesh Refined;      // with long edges split; empty without RefineLongEdges
+  // What is solved for is shared with the method, which recognizes it by that.
+  std::shared_ptr<const vtkSurfaceMesh> Surface; // of the last input, as it came; or nullptr
+  double LongEdgeShare = -1.0;                   // of that
+  std::shared_ptr<const vtkSurfaceMesh> Refined; // with long edges split; or nullptr
   SphericalStyle::SphericalStyleMethod Solver;
   vtkFoldGuard::Result Guarded;          // of this execution, empty without the guard
   SphericalStyle::MethodOptions Options; // of the last solve, as wanted
@@ -147,23 +148,23 @@ const vtkSurfaceMesh& vtkSphericalStyleFilter::Internals::TakeSurface(
   if (vtkSurfaceMeshConversion::Update(inputs.Model, self->WeldCoincidentPoints, this->Surface) ||
     this->LongEdgeShare < 0.0)
   {
-    this->LongEdgeShare = SphericalStyle::LongEdgeShare(this->Surface.Mesh);
+    this->LongEdgeShare = SphericalStyle::LongEdgeShare(this->Surface->Mesh);
   }
-  this->Refined = {};
+  this->Refined.reset();
   if (self->ReproduceThesis || !vtkLongEdges::IsWanted(self->RefineLongEdges, this->LongEdgeShare))
   {
-    return this->Surface;
+    return *this->Surface;
   }
   self->SetProgressText("Refining");
   self->UpdateProgress(0.01);
-  this->Refined = this->Refine(self, inputs);
-  return this->Refined;
+  this->Refined = std::make_shared<const vtkSurfaceMesh>(this->Refine(self, inputs));
+  return *this->Refined;
 }
 
 vtkSurfaceMesh vtkSphericalStyleFilter::Internals::Refine(
   vtkSphericalStyleFilter* self, Inputs& inputs) const
 {
-  const vtkSurfaceMesh& surface = this->Surface;
+  const vtkSurfaceMesh& surface = *this->Surface;
   const auto find = [&](int index, const char* purpose)
   {
     return vtkSurfaceMeshConversion::FindPointArray(
@@ -250,6 +251,9 @@ SphericalStyle::StyleReport vtkSphericalStyleFilter::Internals::Solve(vtkSpheric
   const Eigen::VectorXd& regionWeights, const SphericalStyle::Callback& callback, Points& Q)
 {
   const SphericalStyle::TriangleMesh& mesh = surface.Mesh;
+  const std::shared_ptr<const vtkSurfaceMesh>& owner =
+    this->Refined ? this->Refined : this->Surface;
+  const std::shared_ptr<const SphericalStyle::TriangleMesh> shared(owner, &mesh);
   const auto finish = [&](const Points& solved) -> Points
   {
     return regionWeights.size() > 0 ? mesh.P + regionWeights.asDiagonal() * (solved - mesh.P)
@@ -270,15 +274,19 @@ SphericalStyle::StyleReport vtkSphericalStyleFilter::Internals::Solve(vtkSpheric
   {
     if (!IsGuarded(self))
     {
-      this->Solver.SetMesh(mesh);
+      this->Solver.SetMesh(shared);
       SphericalStyle::StyleReport report = this->Solver.Solve(this->Options, callback);
-      Q = finish(this->Solver.GetPositions());
+      Q = this->Solver.TakePositions();
+      if (regionWeights.size() > 0)
+      {
+        Q = finish(Q);
+      }
       return report;
     }
     const int type =
       vtkSurfaceMeshConversion::OutputPointType(inputs.Model, self->OutputPointsPrecision);
     this->Guarded =
-      vtkFoldGuard::Solve(this->Solver, this->Options, mesh, type == VTK_FLOAT, finish, callback);
+      vtkFoldGuard::Solve(this->Solver, this->Options, shared, type == VTK_FLOAT, finish, callback);
   }
   catch (const SphericalStyle::PartWithoutSphere& error)
   {
@@ -480,13 +488,14 @@ void vtkSphericalStyleFilter::ReleaseCache()
 const char* vtkSphericalStyleFilter::GetCenterPosition()
 {
   const bool custom = this->CenterMode == CUSTOM_CENTER;
-  const SphericalStyle::TriangleMesh& mesh = this->Internal->Surface.Mesh;
-  if (mesh.F.rows() == 0 || (!custom && this->CenterMode != this->EffectiveCenterMode))
+  const std::shared_ptr<const vtkSurfaceMesh> surface = this->Internal->Surface;
+  if (!surface || surface->Mesh.F.rows() == 0 ||
+    (!custom && this->CenterMode != this->EffectiveCenterMode))
   {
     return "";
   }
   const Eigen::Vector3d center(custom ? this->Center : this->EffectiveCenter);
-  return vtkTargetSphere::Encloses(mesh, center) ? "Inside" : "Outside";
+  return vtkTargetSphere::Encloses(surface->Mesh, center) ? "Inside" : "Outside";
 }
 
 int vtkSphericalStyleFilter::FillInputPortInformation(int port, vtkInformation* info)
@@ -558,6 +567,7 @@ int vtkSphericalStyleFilter::Execute(
   internal->Tell(this, surface, report, Q, history);
   vtkTargetSphere::Fill(vtkPolyData::GetData(outputVector, 2), report.spheres);
   internal->Guarded = {};
+  internal->Solver.ForgetResult();
   return 1;
 }
 

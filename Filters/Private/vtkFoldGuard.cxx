@@ -62,8 +62,9 @@ void AddBeforeAfter(vtkFieldData* data, const char* name, int before, int after)
 
 namespace vtkFoldGuard
 {
-Result Solve(SphericalStyleMethod& solver, const MethodOptions& wanted, const TriangleMesh& rest,
-  bool singlePrecision, const Finish& finish, const Callback& callback)
+Result Solve(SphericalStyleMethod& solver, const MethodOptions& wanted,
+  const std::shared_ptr<const TriangleMesh>& rest, bool singlePrecision, const Finish& finish,
+  const Callback& callback)
 {
   const IntersectionSearch search = Search();
   const Stopwatch watch;
@@ -83,7 +84,7 @@ Result Solve(SphericalStyleMethod& solver, const MethodOptions& wanted, const Tr
   FoldGuardOptions guard;
   guard.singlePrecision = singlePrecision;
   guard.threads = wanted.threads;
-  result.Guard = SolveWithoutFolds(rest, guard, search, solve);
+  result.Guard = SolveWithoutFolds(*rest, guard, search, solve);
   result.Positions = result.Guard.aborted ? finish(solver.GetPositions()) : result.Guard.positions;
   result.Seconds = watch.Seconds();
   return result;

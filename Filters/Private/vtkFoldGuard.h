@@ -9,6 +9,7 @@
 #include "SphericalStyleMethod.h"
 
 #include <functional>
+#include <memory>
 
 class vtkTable;
 
@@ -32,8 +33,9 @@ using Finish = std::function<SphericalStyle::Points(const SphericalStyle::Points
 /// @param callback  iterations are counted on over all solves
 /// @throw std::invalid_argument in a library without CGAL
 Result Solve(SphericalStyle::SphericalStyleMethod& solver,
-  const SphericalStyle::MethodOptions& wanted, const SphericalStyle::TriangleMesh& rest,
-  bool singlePrecision, const Finish& finish, const SphericalStyle::Callback& callback);
+  const SphericalStyle::MethodOptions& wanted,
+  const std::shared_ptr<const SphericalStyle::TriangleMesh>& rest, bool singlePrecision,
+  const Finish& finish, const SphericalStyle::Callback& callback);
 
 /// What it did, as field data; nothing where it has not counted.
 void Fill(vtkTable* table, const Result& result);

@@ -689,17 +689,18 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
   return surface;
 }
 
-bool Update(vtkPolyData* input, bool weld, vtkSurfaceMesh& surface)
+bool Update(vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>& surface)
 {
-  const bool plain = surface.DegenerateTriangles == 0 && surface.FannedPolygons == 0;
-  if (plain && surface.Welded == weld && HasTriangles(input, surface) && HasPoints(input, surface))
+  const bool plain = surface && surface->DegenerateTriangles == 0 && surface->FannedPolygons == 0;
+  if (plain && surface->Welded == weld && HasTriangles(input, *surface) &&
+    HasPoints(input, *surface))
   {
     CheckAllNormals(input);
     CheckCells(input);
     return false;
   }
-  surface = {}; // nothing of the old one is kept should the next line throw
-  surface = FromPolyData(input, weld);
+  surface.reset(); // nothing of the old one is kept should the next line throw
+  surface = std::make_shared<const vtkSurfaceMesh>(FromPolyData(input, weld));
   return true;
 }
 

@@ -9,6 +9,7 @@
 #include "vtkType.h" // for vtkIdType
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -61,11 +62,11 @@ enum class TakePoints
 vtkSurfaceMesh FromPolyData(
   vtkPolyData* input, bool weld, TakePoints take = TakePoints::OfTriangles);
 
-/// Makes `surface`, the result of an earlier call, that of the input: a few passes over the arrays
-/// where the input is triangles and nothing has changed, FromPolyData otherwise. Contents are
-/// compared, not times: arrays may have been written to in place.
-/// @return whether it was made anew @throw see FromPolyData; `surface` is empty then
-bool Update(vtkPolyData* input, bool weld, vtkSurfaceMesh& surface);
+/// Makes `surface`, the result of an earlier call or nullptr, that of the input: a few passes over
+/// the arrays where the input is triangles and nothing has changed, another FromPolyData otherwise.
+/// Contents are compared, not times: arrays may have been written to in place.
+/// @return whether it was made anew @throw see FromPolyData; `surface` is nullptr then
+bool Update(vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>& surface);
 
 /// What FromPolyData refuses, and arrays of another number of tuples than points or cells.
 /// @param piece  of a surface that is going to be put together

@@ -129,11 +129,7 @@ public:
   // Of the last solve.
   Callback Asked;
   int Steps = 0;
-  Points T; // directions t
-  Points Targets;
-  Points Moved; // B'
-  Points Positions;
-  Matrices R;
+  ClosedFormResult Result;
 
   const Points& GetBase() const { return this->HasDetails() ? this->Base->B : *this->P; }
   bool HasDetails() const { return this->Base->B.rows() > 0; }
@@ -150,11 +146,12 @@ public:
   std::vector<Sphere> Spheres(const ClosedFormOptions& o);
   Sphere SphereOfAll(const ClosedFormOptions& o);
   Points Directions(const ClosedFormOptions& o, const Sphere& sphere, std::vector<int>& onCenter);
-  void MakeTargets(const ClosedFormOptions& o, ClosedFormReport& report);
-  void JoinCenters(const ClosedFormOptions& o, const std::vector<Points>& targets);
-  void BlendBase(const ClosedFormOptions& o);
-  void CarryDetails(const ClosedFormOptions& o);
-  void Yield(const ClosedFormOptions& o, const Points& turned, const Eigen::VectorXd& areas);
+  Points MakeTargets(const ClosedFormOptions& o, ClosedFormReport& report);
+  Points JointMoves(const ClosedFormOptions& o, const std::vector<Points>& targets) const;
+  void BlendBase(const ClosedFormOptions& o, Points& targets) const;
+  void CarryDetails(const ClosedFormOptions& o, Points moved);
+  void Yield(const ClosedFormOptions& o, const Points& moved, const Points& turned,
+    const Eigen::VectorXd& areas);
   void Place(const ClosedFormOptions& o, ClosedFormReport& report);
 };
 
@@ -377,8 +374,8 @@ Points ClosedFormStyle::State::Directions(
 /// Several centers: parts keep together. Where the shares change, the targets of the centers do not
 /// agree; the smooth field Y that undoes the gradient of that disagreement moves each part as a
 /// whole [centers].
-void ClosedFormStyle::State::JoinCenters(
-  const ClosedFormOptions& o, const std::vector<Points>& targets)
+Points ClosedFormStyle::State::JointMoves(
+  const ClosedFormOptions& o, const std::vector<Points>& targets) const
 {
   const SurfaceGrid& grid = this->Joints->Grid;
   const int samples = grid.GetNumberOfSamples();
@@ -399,10 +396,11 @@ void ClosedFormStyle::State::JoinCenters(
     }
   }
   const Fields Y = grid.Solve(Fields::Zero(samples, 3), slope, o.threads);
-  this->Targets += grid.AtPoints(Y, *this->P, o.threads);
+  return grid.AtPoints(Y, *this->P, o.threads);
 }
 
-void ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFormReport& report)
+/// T of each point, and t as a result.
+Points ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFormReport& report)
 {
   report.spheres = this->Spheres(o);
   if (o.UsesNormals())
@@ -421,13 +419,12 @@ void ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFormR
   if (report.spheres.size() == 1)
   {
     const Sphere& sphere = report.spheres.front();
-    this->T = this->Directions(o, sphere, report.pointsOnCenter);
-    this->Targets = (sphere.radius * this->T).rowwise() + sphere.center.transpose();
-    return;
+    this->Result.directions = this->Directions(o, sphere, report.pointsOnCenter);
+    return (sphere.radius * this->Result.directions).rowwise() + sphere.center.transpose();
   }
   this->UpdateJoints(o);
-  this->T = Points::Zero(this->P->rows(), 3);
-  this->Targets = Points::Zero(this->P->rows(), 3);
+  this->Result.directions = Points::Zero(this->P->rows(), 3);
+  Points shared = Points::Zero(this->P->rows(), 3);
   std::vector<Points> targets;
   for (std::size_t k = 0; k < report.spheres.size(); ++k)
   {
@@ -435,19 +432,19 @@ void ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFormR
     const auto omega = this->Joints->Shares.col(static_cast<Eigen::Index>(k)).asDiagonal();
     std::vector<int> onCenter;
     const Points t = this->Directions(o, sphere, onCenter);
-    this->T += omega * t;
+    this->Result.directions += omega * t;
     targets.push_back((sphere.radius * t).rowwise() + sphere.center.transpose());
-    this->Targets += omega * targets.back();
+    shared += omega * targets.back();
     report.pointsOnCenter.insert(report.pointsOnCenter.end(), onCenter.begin(), onCenter.end());
   }
-  this->JoinCenters(o, targets);
+  shared += this->JointMoves(o, targets);
+  return shared;
 }
 
-/// B' [toy]
-void ClosedFormStyle::State::BlendBase(const ClosedFormOptions& o)
+/// Makes B' of T, in its place [toy].
+void ClosedFormStyle::State::BlendBase(const ClosedFormOptions& o, Points& targets) const
 {
   const Points& B = this->GetBase();
-  this->Moved.resize(B.rows(), 3);
   ParallelFor(static_cast<int>(B.rows()), o.threads,
     [&](int begin, int end)
     {
@@ -456,31 +453,32 @@ void ClosedFormStyle::State::BlendBase(const ClosedFormOptions& o)
         const double factor = o.roundnessFactors.size() > 0 ? o.roundnessFactors(i) : 1.0;
         const double mu = std::sqrt(3.0) * o.lambda * factor;
         const double share = 1.0 - 1.0 / (1.0 + mu);
-        this->Moved.row(i) = B.row(i) + share * (this->Targets.row(i) - B.row(i));
+        targets.row(i) = B.row(i) + share * (targets.row(i) - B.row(i));
       }
     });
 }
 
 /// P' = B' + R (P - B) [carry]
-void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
+/// @param moved  B'
+void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o, Points moved)
 {
   const Points& P0 = *this->P;
-  this->R.clear();
+  this->Result.rotations.clear();
   if (!this->HasDetails())
   {
-    this->Positions = this->Moved;
+    this->Result.positions = std::move(moved);
     if (o.keepRotations)
     {
-      this->R.assign(P0.rows(), Eigen::Matrix3d::Identity());
+      this->Result.rotations.assign(P0.rows(), Eigen::Matrix3d::Identity());
     }
     return;
   }
   const SmoothBase& base = this->Base.Get();
   const SurfaceGrid& grid = base.Grid;
   const int samples = grid.GetNumberOfSamples();
-  const Fields moved = grid.Gradients(this->Moved, o.threads);
+  const Fields slopes = grid.Gradients(moved, o.threads);
   const Points& before = base.AreaVectors;
-  const Points after = grid.AreaVectorsUnder(moved, o.threads);
+  const Points after = grid.AreaVectorsUnder(slopes, o.threads);
   Fields S(samples, 9);
   ParallelFor(samples, o.threads,
     [&](int begin, int end)
@@ -488,7 +486,7 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
       for (int k = begin; k < end; ++k)
       {
         const Gradient G(base.Gradients.row(k).data());
-        const Gradient H(moved.row(k).data());
+        const Gradient H(slopes.row(k).data());
         Eigen::Matrix3d covariance = G * H.transpose();
         const double size = std::sqrt(before.row(k).norm() * after.row(k).norm());
         if (size > 0.0)
@@ -502,9 +500,9 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
   const int n = static_cast<int>(P0.rows());
   if (o.keepRotations)
   {
-    this->R.resize(n);
+    this->Result.rotations.resize(n);
   }
-  this->Positions.resize(n, 3);
+  this->Result.positions.resize(n, 3);
   constexpr int Packet = 4096; // so that the covariances of all points are never kept
   ParallelTasks((n + Packet - 1) / Packet, o.threads,
     [&](int task)
@@ -517,11 +515,11 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
       for (int i = 0; i < count; ++i)
       {
         const Eigen::Vector3d detail = (P0.row(begin + i) - base.B.row(begin + i)).transpose();
-        this->Positions.row(begin + i) = this->Moved.row(begin + i) + (R[i] * detail).transpose();
+        this->Result.positions.row(begin + i) = moved.row(begin + i) + (R[i] * detail).transpose();
       }
       if (o.keepRotations)
       {
-        std::copy(R.begin(), R.end(), this->R.begin() + begin);
+        std::copy(R.begin(), R.end(), this->Result.rotations.begin() + begin);
       }
     });
   // The area vectors turned with the details, and what of them B' has.
@@ -539,18 +537,19 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o)
         areas(k) = turned.row(k).dot(after.row(k));
       }
     });
-  this->Yield(o, turned, areas);
+  this->Yield(o, moved, turned, areas);
 }
 
 /// Details give way where they would fold: in creases, where the base becomes narrow and they do
 /// not [carry].
-/// @param turned  area vectors of the samples, turned @param areas  of the base, along them
-void ClosedFormStyle::State::Yield(
-  const ClosedFormOptions& o, const Points& turned, const Eigen::VectorXd& areas)
+/// @param moved  B' @param turned  area vectors of the samples, turned @param areas  of the base,
+/// along them
+void ClosedFormStyle::State::Yield(const ClosedFormOptions& o, const Points& moved,
+  const Points& turned, const Eigen::VectorXd& areas)
 {
   const SurfaceGrid& grid = this->Base->Grid;
   const Points carried =
-    grid.AreaVectorsUnder(grid.Gradients(this->Positions, o.threads), o.threads);
+    grid.AreaVectorsUnder(grid.Gradients(this->Result.positions, o.threads), o.threads);
   Fields yields = Fields::Zero(areas.size(), 2); // y and y^2
   for (Eigen::Index k = 0; k < areas.size(); ++k)
   {
@@ -574,7 +573,7 @@ void ClosedFormStyle::State::Yield(
       {
         const double share =
           std::clamp(yield(i, 1) / (std::max(0.0, yield(i, 0)) + FewYields), 0.0, 1.0);
-        this->Positions.row(i) -= share * (this->Positions.row(i) - this->Moved.row(i));
+        this->Result.positions.row(i) -= share * (this->Result.positions.row(i) - moved.row(i));
       }
     });
 }
@@ -626,17 +625,17 @@ void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport&
   double total = 0.0;
   for (const int i : members)
   {
-    shift += areas(i) * (P0.row(i) - this->Positions.row(i));
+    shift += areas(i) * (P0.row(i) - this->Result.positions.row(i));
     total += areas(i);
   }
   shift /= total;
   if (o.keepLastPoint)
   {
-    shift = P0.row(members.back()) - this->Positions.row(members.back());
+    shift = P0.row(members.back()) - this->Result.positions.row(members.back());
   }
   for (const int i : members)
   {
-    this->Positions.row(i) += shift;
+    this->Result.positions.row(i) += shift;
   }
   const auto measure = [&] { return LengthOf(P0, F0, members, areas, o.size, o.threads); };
   double before = 0.0;
@@ -650,7 +649,8 @@ void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport&
   {
     before = measure();
   }
-  report.scale = RestoreSize(P0, F0, members, areas, o.size, before, o.threads, this->Positions);
+  report.scale =
+    RestoreSize(P0, F0, members, areas, o.size, before, o.threads, this->Result.positions);
 }
 
 //------------------------------------------------------------------------------------------------
@@ -664,8 +664,18 @@ ClosedFormStyle::~ClosedFormStyle() = default;
 void ClosedFormStyle::SetMesh(const Points& P, const Triangles& F)
 {
   this->S = std::make_unique<State>();
+  this->SetEqualMesh(P, F);
+}
+
+void ClosedFormStyle::SetEqualMesh(const Points& P, const Triangles& F)
+{
   this->S->P = &P;
   this->S->F = &F;
+}
+
+ClosedFormResult ClosedFormStyle::TakeResult()
+{
+  return std::exchange(this->S->Result, {});
 }
 
 ClosedFormReport ClosedFormStyle::Solve(const ClosedFormOptions& options, const Callback& callback)
@@ -675,10 +685,10 @@ ClosedFormReport ClosedFormStyle::Solve(const ClosedFormOptions& options, const 
   ClosedFormReport report;
   s.UpdateBase(options, report);
   const Stopwatch watch;
-  s.MakeTargets(options, report);
-  s.BlendBase(options);
+  Points moved = s.MakeTargets(options, report);
+  s.BlendBase(options, moved);
   s.Step();
-  s.CarryDetails(options);
+  s.CarryDetails(options, std::move(moved));
   s.Step();
   s.Place(options, report);
   report.carrySeconds = watch.Seconds();
@@ -693,14 +703,14 @@ ClosedFormReport ClosedFormStyle::Carry(
   ClosedFormReport report;
   s.UpdateBase(options, report);
   const Stopwatch watch;
-  s.Moved = Q;
+  Points moved = Q;
   if (s.HasDetails())
   {
     const SurfaceGrid& grid = s.Base->Grid;
     const Fields base = grid.SmoothTwice(grid.Means(Q, options.threads), options.threads);
-    s.Moved = grid.AtPoints(base, *s.P, options.threads);
+    moved = grid.AtPoints(base, *s.P, options.threads);
   }
-  s.CarryDetails(options);
+  s.CarryDetails(options, std::move(moved));
   s.Place(options, report);
   report.carrySeconds = watch.Seconds();
   return report;
@@ -724,7 +734,7 @@ Points ClosedFormStyle::ThickNormals(const ClosedFormOptions& options, const Cal
 
 const Points& ClosedFormStyle::GetPositions() const
 {
-  return this->S->Positions;
+  return this->S->Result.positions;
 }
 
 const Points& ClosedFormStyle::GetBase() const
@@ -734,11 +744,11 @@ const Points& ClosedFormStyle::GetBase() const
 
 const Points& ClosedFormStyle::GetDirections() const
 {
-  return this->S->T;
+  return this->S->Result.directions;
 }
 
 const Matrices& ClosedFormStyle::GetRotations() const
 {
-  return this->S->R;
+  return this->S->Result.rotations;
 }
 } // namespace SphericalStyle

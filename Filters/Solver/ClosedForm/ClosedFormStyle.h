@@ -53,6 +53,13 @@ struct ClosedFormReport
   double carrySeconds = 0.0;
 };
 
+struct ClosedFormResult
+{
+  Points positions;   ///< P', n x 3
+  Points directions;  ///< t, n x 3, of Solve
+  Matrices rotations; ///< R, n, or none
+};
+
 /// Nothing iterates, and nothing is factored that is as large as the mesh.
 ///
 ///     T_i = O + (1 - a) r d_i + a rho_i n_i            B'_i = B_i + mu / (1 + mu) (T_i - B_i)
@@ -101,6 +108,8 @@ public:
 
   /// @param P  n x 3, in a frame of diagonal 1 @param F  m x 3; both must outlive this
   void SetMesh(const Points& P, const Triangles& F);
+  /// The same mesh at another place in memory: everything is kept.
+  void SetEqualMesh(const Points& P, const Triangles& F);
   /// @param callback  asked after each step, with its number; what is done is kept for the next
   /// solve @throw std::invalid_argument, SolverError, PartWithoutSphere, SolveAborted
   ClosedFormReport Solve(const ClosedFormOptions& options, const Callback& callback = {});
@@ -114,10 +123,14 @@ public:
   /// center.
   Points ThickNormals(const ClosedFormOptions& options, const Callback& callback = {});
 
+  /// Of the last solve; it is not kept here.
+  ClosedFormResult TakeResult();
+  /// The same, as long as it is here. @{
   const Points& GetPositions() const;   ///< P', n x 3
-  const Points& GetBase() const;        ///< B, n x 3
   const Points& GetDirections() const;  ///< t, n x 3
   const Matrices& GetRotations() const; ///< R, n, or none
+  /// @}
+  const Points& GetBase() const; ///< B, n x 3
 
 private:
   class State;

@@ -348,9 +348,18 @@ NonlinearFeature::~NonlinearFeature() = default;
 
 void NonlinearFeature::SetMesh(const TriangleMesh& mesh)
 {
-  const MeshChange change = this->S->Compare(mesh);
+  if (this->S->Compare(mesh) != MeshChange::Nothing)
+  {
+    this->SetMesh(std::make_shared<const TriangleMesh>(mesh));
+  }
+}
+
+void NonlinearFeature::SetMesh(std::shared_ptr<const TriangleMesh> mesh)
+{
+  const MeshChange change = this->S->Compare(*mesh);
   if (change == MeshChange::Nothing)
   {
+    this->S->Given = std::move(mesh); // it may be the only one left
     return;
   }
   auto next = std::make_unique<State>();
@@ -360,7 +369,7 @@ void NonlinearFeature::SetMesh(const TriangleMesh& mesh)
     next.reset(); // its memory is needed
     next = std::make_unique<State>();
   }
-  next->Set(mesh, change);
+  next->Set(std::move(mesh), change);
   if (change == MeshChange::Triangles)
   {
     next->Corrected.SetTopology(next->Surface.Topology);
@@ -374,7 +383,7 @@ void NonlinearFeature::SetMesh(const TriangleMesh& mesh)
 void NonlinearFeature::State::BuildEnergy(const NonlinearOptions& options, StyleReport& report)
 {
   const Stopwatch watch;
-  const Triangles& F = this->Given.F;
+  const Triangles& F = this->Given->F;
   const Frame& frame = this->MeshFrame;
   const bool asWritten = options.centerConstraint == CenterConstraint::AsWritten;
   const Sphere custom = { (options.center - frame.origin.transpose()) / frame.scale, 1.0 };

@@ -70,6 +70,8 @@ public:
 
   /// Takes the mesh; keeps everything that an equal mesh or equal triangles allow to keep.
   /// @throw std::invalid_argument: see SolverMesh
+  void SetMesh(std::shared_ptr<const TriangleMesh> mesh);
+  /// The same with a copy of it.
   void SetMesh(const TriangleMesh& mesh);
 
   /// Deforms the mesh. @throw std::invalid_argument for options out of range or of wrong size,

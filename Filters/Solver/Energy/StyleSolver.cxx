@@ -204,9 +204,18 @@ StyleSolver::~StyleSolver() = default;
 
 void StyleSolver::SetMesh(const TriangleMesh& mesh)
 {
-  const MeshChange change = this->S->Compare(mesh);
+  if (this->S->Compare(mesh) != MeshChange::Nothing)
+  {
+    this->SetMesh(std::make_shared<const TriangleMesh>(mesh));
+  }
+}
+
+void StyleSolver::SetMesh(std::shared_ptr<const TriangleMesh> mesh)
+{
+  const MeshChange change = this->S->Compare(*mesh);
   if (change == MeshChange::Nothing)
   {
+    this->S->Given = std::move(mesh); // it may be the only one left
     return;
   }
   ++this->MeshGeneration;
@@ -217,9 +226,9 @@ void StyleSolver::SetMesh(const TriangleMesh& mesh)
     next.reset(); // its memory is needed
     next = std::make_unique<State>();
   }
-  next->Set(mesh, change);
-  next->Areas.Update(
-    { next->Version }, [&](Eigen::VectorXd& areas) { areas = PointAreas(next->P, mesh.F); });
+  next->Set(std::move(mesh), change);
+  next->Areas.Update({ next->Version },
+    [&](Eigen::VectorXd& areas) { areas = PointAreas(next->P, next->Given->F); });
   this->S = std::move(next);
 }
 
@@ -293,7 +302,7 @@ Points StyleSolver::State::Directions(
   {
     return options.targets;
   }
-  Points d = CenterDirections(this->P, this->Given.F, center, onCenter);
+  Points d = CenterDirections(this->P, this->Given->F, center, onCenter);
   const Eigen::VectorXd a = options.normalBlends.size() > 0
     ? options.normalBlends
     : Eigen::VectorXd::Constant(n, options.normalBlend);
@@ -302,13 +311,13 @@ Points StyleSolver::State::Directions(
     return d;
   }
   const bool given = options.normals.rows() > 0;
-  return BlendDirections(d, given ? options.normals : PointNormals(this->P, this->Given.F), a);
+  return BlendDirections(d, given ? options.normals : PointNormals(this->P, this->Given->F), a);
 }
 
 /// tau [energy] from every center; and t, of several centers by their shares.
 HalfEdgeField StyleSolver::State::Targets(const StyleOptions& options, StyleReport& report)
 {
-  report.spheres = SpheresOfCenters(this->P, this->Given.F, options.Into(this->MeshFrame));
+  report.spheres = SpheresOfCenters(this->P, this->Given->F, options.Into(this->MeshFrame));
   report.sphere = report.spheres.front();
   const Triangles& F = this->SummedTriangles();
   const bool keep = options.concaveEdges == ConcaveEdges::Keep;
@@ -515,7 +524,7 @@ StyleReport StyleSolver::State::Solve(const StyleOptions& options, const Callbac
     this->Sum->RestMeans, options.anchor, options.localTerm.get());
   if (options.localTerm)
   {
-    options.localTerm->SetMesh(this->P, this->Given.F);
+    options.localTerm->SetMesh(this->P, this->Given->F);
   }
   double restEnergy = problem.Evaluate(this->P).Total();
   this->PrepareLoop(options, report);
@@ -559,6 +568,19 @@ StyleReport StyleSolver::Solve(const StyleOptions& options, const Callback& call
     s.Forget(); // what a stage uses, as the global step its matrix, may be half done
     throw;
   }
+}
+
+StyleResult StyleSolver::TakeResult()
+{
+  State& s = *this->S;
+  StyleResult result;
+  result.cellEnergies = this->GetCellEnergies();
+  result.positions = std::exchange(s.Positions, Points(0, 3));
+  result.directions = std::exchange(s.T, Points(0, 3));
+  result.rotations = std::exchange(s.R, {});
+  s.Q.resize(0, 3);
+  s.Energy = {}; // whose targets are differences of T
+  return result;
 }
 
 const Points& StyleSolver::GetPositions() const

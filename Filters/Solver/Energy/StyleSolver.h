@@ -86,6 +86,14 @@ struct StyleReport
   StageSeconds seconds;
 };
 
+struct StyleResult
+{
+  Points positions;             ///< P', n x 3, model units
+  Points directions;            ///< t, n x 3
+  Matrices rotations;           ///< R, n, rest to deformed
+  Eigen::VectorXd cellEnergies; ///< n, length^2, without a local term
+};
+
 /// Built once per mesh and kept: a solve redoes only what its options make stale. The stages of its
 /// State, with their keys, are what that is; numeric factors are made again for other weights.
 /// Other triangles redo all, other points all but topology, ordering and symbolic factor; all that
@@ -98,6 +106,8 @@ public:
 
   /// Takes the mesh; keeps everything that an equal mesh or equal triangles allow to keep.
   /// @throw std::invalid_argument: see MeshTopology; points not finite; triangles without area
+  void SetMesh(std::shared_ptr<const TriangleMesh> mesh);
+  /// The same with a copy of it.
   void SetMesh(const TriangleMesh& mesh);
 
   /// Counts the meshes that were not equal to the one before: what else depends on the mesh alone
@@ -109,10 +119,14 @@ public:
   /// @throw SolverError @return the report; positions and rotations are then at hand
   StyleReport Solve(const StyleOptions& options, const Callback& callback = {});
 
+  /// Of the last solve; it is not kept here, nor what it was worked out from.
+  StyleResult TakeResult();
+  /// The same, as long as it is here. @{
   const Points& GetPositions() const;      ///< P', n x 3, model units
   const Points& GetDirections() const;     ///< t, n x 3
   const Matrices& GetRotations() const;    ///< R, n, rest to deformed
   Eigen::VectorXd GetCellEnergies() const; ///< n, length^2, without a local term
+  /// @}
 
 private:
   class State;

@@ -18,7 +18,11 @@ struct Frame
   double scale = 1.0;                                     ///< diagonal of the bounds, length
 
   Points Into(const Points& x) const { return (x.rowwise() - this->origin) / this->scale; }
-  Points OutOf(const Points& x) const { return (this->scale * x).rowwise() + this->origin; }
+  Points OutOf(Points x) const
+  {
+    x = (this->scale * x).rowwise() + this->origin;
+    return x;
+  }
 
   /// Takes an energy, length^2, out of the frame; 0 stays 0 where scale^2 is infinite.
   template <typename Energy>

@@ -4,6 +4,8 @@
 
 #include "EdgeWeights.h"
 
+#include <utility>
+
 namespace SphericalStyle
 {
 MeshChange SolverMesh::Compare(const TriangleMesh& mesh) const
@@ -12,10 +14,14 @@ MeshChange SolverMesh::Compare(const TriangleMesh& mesh) const
   {
     throw std::invalid_argument("the mesh has no triangle");
   }
-  const TriangleMesh& given = this->Given;
-  const bool sameTriangles =
-    given.F.rows() == mesh.F.rows() && given.P.rows() == mesh.P.rows() && given.F == mesh.F;
-  if (sameTriangles && given.P == mesh.P)
+  const TriangleMesh* given = this->Given.get();
+  if (given == &mesh)
+  {
+    return MeshChange::Nothing;
+  }
+  const bool sameTriangles = given && given->F.rows() == mesh.F.rows() &&
+    given->P.rows() == mesh.P.rows() && given->F == mesh.F;
+  if (sameTriangles && given->P == mesh.P)
   {
     return MeshChange::Nothing;
   }
@@ -26,17 +32,18 @@ MeshChange SolverMesh::Compare(const TriangleMesh& mesh) const
   return sameTriangles ? MeshChange::Points : MeshChange::Triangles;
 }
 
-void SolverMesh::Set(const TriangleMesh& mesh, MeshChange change)
+void SolverMesh::Set(std::shared_ptr<const TriangleMesh> mesh, MeshChange change)
 {
   ++this->Version;
-  this->Given = mesh;
+  this->Given = std::move(mesh);
+  const auto& [P, F] = *this->Given;
   if (change == MeshChange::Triangles)
   {
-    this->Surface.Topology = MeshTopology(mesh.F, static_cast<int>(mesh.P.rows()));
+    this->Surface.Topology = MeshTopology(F, static_cast<int>(P.rows()));
   }
-  this->MeshFrame = FrameOf(mesh.P);
-  this->P = this->MeshFrame.Into(mesh.P);
-  this->Surface.Cotangents = HalfEdgeCotangents(this->P, mesh.F);
+  this->MeshFrame = FrameOf(P);
+  this->P = this->MeshFrame.Into(P);
+  this->Surface.Cotangents = HalfEdgeCotangents(this->P, F);
   if (!this->Surface.Cotangents.allFinite())
   {
     throw std::invalid_argument("a triangle has no area");

@@ -8,6 +8,8 @@
 #include "EnergyTriangles.h"
 #include "Frame.h"
 
+#include <memory>
+
 namespace SphericalStyle
 {
 /// What a new mesh makes stale.
@@ -21,7 +23,7 @@ enum class MeshChange
 /// What depends on points and triangles alone. Lengths are those of the frame.
 struct SolverMesh
 {
-  TriangleMesh Given; ///< as given, to recognize it
+  std::shared_ptr<const TriangleMesh> Given; ///< as given, to recognize it; none at first
   Frame MeshFrame;
   Points P;
   EnergyTriangles Surface; ///< the triangles as given
@@ -31,7 +33,7 @@ struct SolverMesh
   MeshChange Compare(const TriangleMesh& mesh) const;
   /// Takes the mesh. @param change  Compare(mesh): with Points, the topology is kept
   /// @throw std::invalid_argument: see MeshTopology; triangles without area
-  void Set(const TriangleMesh& mesh, MeshChange change);
+  void Set(std::shared_ptr<const TriangleMesh> mesh, MeshChange change);
 };
 } // namespace SphericalStyle
 

@@ -34,29 +34,43 @@ bool IsClosedForm(const StyleOptions& o)
     o.initialGuess != InitialGuess::Rest && o.loop.stopRule != StopRule::FixedIterations;
 }
 
+namespace
+{
+bool Equal(const TriangleMesh& one, const TriangleMesh& other)
+{
+  return &one == &other ||
+    (one.F.rows() == other.F.rows() && one.P.rows() == other.P.rows() && one.F == other.F &&
+      one.P == other.P);
+}
+}
+
 void SphericalStyleMethod::SetMesh(const TriangleMesh& mesh)
 {
-  if (mesh.F.rows() == 0)
+  this->SetMesh(std::make_shared<const TriangleMesh>(mesh));
+}
+
+void SphericalStyleMethod::SetMesh(std::shared_ptr<const TriangleMesh> mesh)
+{
+  if (mesh->F.rows() == 0)
   {
     throw std::invalid_argument("the mesh has no triangle");
   }
-  const TriangleMesh& given = this->Mesh;
-  if (given.F.rows() == mesh.F.rows() && given.P.rows() == mesh.P.rows() && given.F == mesh.F &&
-    given.P == mesh.P)
+  if (this->Mesh && Equal(*this->Mesh, *mesh))
   {
+    this->Mesh = std::move(mesh); // it may be the only one left
+    this->Closed.SetEqualMesh(this->P, this->Mesh->F);
     return;
   }
-  if (!mesh.P.allFinite())
+  if (!mesh->P.allFinite())
   {
     throw std::invalid_argument("a point is not finite");
   }
   ++this->MeshGeneration;
-  this->Mesh = {};
-  this->MeshFrame = FrameOf(mesh.P);
-  this->P = this->MeshFrame.Into(mesh.P);
-  TriangleMesh copy = mesh;
-  this->Closed.SetMesh(this->P, this->Mesh.F);
-  this->Mesh = std::move(copy); // last: should a line above throw, the next mesh is another one
+  this->Mesh.reset();
+  this->MeshFrame = FrameOf(mesh->P);
+  this->P = this->MeshFrame.Into(mesh->P);
+  this->Closed.SetMesh(this->P, mesh->F);
+  this->Mesh = std::move(mesh); // last: should a line above throw, the next mesh is another one
 }
 
 ClosedFormOptions SphericalStyleMethod::InFrame(const MethodOptions& o) const
@@ -78,12 +92,14 @@ void SphericalStyleMethod::HoldFixedPoints(const MethodOptions& o)
 }
 
 /// Results of the closed form into model units.
-void SphericalStyleMethod::Take(
+/// @return directions
+Points SphericalStyleMethod::Take(
   const MethodOptions& o, const ClosedFormReport& closed, StyleReport& report)
 {
   const Frame& frame = this->MeshFrame;
-  this->Positions = frame.OutOf(this->Closed.GetPositions());
-  this->R = this->Closed.GetRotations();
+  ClosedFormResult result = this->Closed.TakeResult();
+  this->Positions = frame.OutOf(std::move(result.positions));
+  this->R = std::move(result.rotations);
   this->HoldFixedPoints(o);
   report.gridFunctions = closed.functions;
   report.gridSpacing = closed.spacing;
@@ -92,6 +108,7 @@ void SphericalStyleMethod::Take(
   report.sizeFactor = closed.scale;
   report.seconds.base += closed.baseSeconds;
   report.seconds.iterate += closed.carrySeconds;
+  return std::move(result.directions);
 }
 
 void SphericalStyleMethod::SolveClosedForm(
@@ -99,8 +116,7 @@ void SphericalStyleMethod::SolveClosedForm(
 {
   const Frame& frame = this->MeshFrame;
   const ClosedFormReport closed = this->Closed.Solve(this->InFrame(o), callback);
-  this->T = this->Closed.GetDirections();
-  this->Take(o, closed, report);
+  this->T = this->Take(o, closed, report);
   report.closedForm = true;
   report.loop.converged = true;
   report.pointsOnCenter = closed.pointsOnCenter;
@@ -115,14 +131,14 @@ void SphericalStyleMethod::SolveClosedForm(
     o.lambda == 0.0 || (o.roundnessFactors.size() > 0 && o.roundnessFactors.maxCoeff() == 0.0);
   if (nothing) // to the bit
   {
-    this->Positions = this->Mesh.P;
+    this->Positions = this->Mesh->P;
     this->HoldFixedPoints(o);
   }
 }
 
 void SphericalStyleMethod::StayAtRest(const MethodOptions& o)
 {
-  this->Positions = this->Mesh.P;
+  this->Positions = this->Mesh->P;
   this->HoldFixedPoints(o);
   this->T = Points::Zero(this->P.rows(), 3);
   this->R.assign(o.keepRotations ? this->P.rows() : 0, Eigen::Matrix3d::Identity());
@@ -144,10 +160,11 @@ void SphericalStyleMethod::SolveEnergy(
   this->Energy.SetMesh(this->Mesh);
   report = this->Energy.Solve(rigid, callback);
   report.seconds.base += baseSeconds;
-  this->T = this->Energy.GetDirections();
-  this->CellEnergies = this->Energy.GetCellEnergies();
-  this->Positions = this->Energy.GetPositions();
-  this->R = this->Energy.GetRotations();
+  StyleResult result = this->Energy.TakeResult();
+  this->T = std::move(result.directions);
+  this->CellEnergies = std::move(result.cellEnergies);
+  this->Positions = std::move(result.positions);
+  this->R = std::move(result.rotations);
   if (o.detailSize > 0.0 || o.size.keep != KeepSize::Off || o.size.keepOnGround)
   {
     const ClosedFormReport closed =
@@ -161,9 +178,17 @@ void SphericalStyleMethod::SolveEnergy(
   }
 }
 
+void SphericalStyleMethod::ForgetResult()
+{
+  this->Positions.resize(0, 3);
+  this->T.resize(0, 3);
+  this->R = {};
+  this->CellEnergies.resize(0);
+}
+
 StyleReport SphericalStyleMethod::Solve(const MethodOptions& options, const Callback& callback)
 {
-  if (this->P.rows() == 0)
+  if (!this->Mesh)
   {
     throw std::invalid_argument("there is no mesh: SetMesh was not called or has thrown");
   }

@@ -9,6 +9,9 @@
 #include "Frame.h"
 #include "StyleSolver.h"
 
+#include <memory>
+#include <utility>
+
 namespace SphericalStyle
 {
 /// What the user wants, in model units.
@@ -37,6 +40,8 @@ public:
   /// Takes the mesh; an equal one changes nothing.
   /// @throw std::invalid_argument for a mesh without triangles, points that are not finite or all
   /// equal
+  void SetMesh(std::shared_ptr<const TriangleMesh> mesh);
+  /// The same with a copy of it.
   void SetMesh(const TriangleMesh& mesh);
   /// Counts the meshes that were not equal to the one before.
   int GetMeshGeneration() const { return this->MeshGeneration; }
@@ -45,6 +50,11 @@ public:
   /// where the closed form is ended by it, the result is the model at rest, without directions
   /// @throw std::invalid_argument, PartWithoutSphere, SolverError
   StyleReport Solve(const MethodOptions& options, const Callback& callback = {});
+
+  /// P' of the last solve; it is not kept here.
+  Points TakePositions() { return std::exchange(this->Positions, Points(0, 3)); }
+  /// Lets go of what the last solve has led to. What the next one can use is kept.
+  void ForgetResult();
 
   const Points& GetPositions() const { return this->Positions; } ///< P', n x 3, model units
   const Points& GetDirections() const { return this->T; }        ///< t, n x 3
@@ -58,9 +68,9 @@ private:
   void SolveEnergy(const MethodOptions& options, const Callback& callback, StyleReport& report);
   void HoldFixedPoints(const MethodOptions& options);
   void StayAtRest(const MethodOptions& options);
-  void Take(const MethodOptions& options, const ClosedFormReport& closed, StyleReport& report);
+  Points Take(const MethodOptions& options, const ClosedFormReport& closed, StyleReport& report);
 
-  TriangleMesh Mesh;
+  std::shared_ptr<const TriangleMesh> Mesh; // none at first, and where SetMesh has thrown
   Frame MeshFrame;
   Points P; // in the frame
   int MeshGeneration = 0;
