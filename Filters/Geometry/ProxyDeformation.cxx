@@ -4,6 +4,7 @@
 
 #include "ConvexHull.h"
 #include "DeformationMeasures.h"
+#include "Stage.h"
 #include "Stopwatch.h"
 #include "SurfaceMeasures.h"
 
@@ -23,9 +24,14 @@ bool Same(const Points& a, const Points& b)
   return a.rows() == b.rows() && a == b;
 }
 
+bool Same(const Triangles& a, const Triangles& b)
+{
+  return a.rows() == b.rows() && a == b;
+}
+
 bool Same(const TriangleMesh& a, const TriangleMesh& b)
 {
-  return Same(a.P, b.P) && a.F.rows() == b.F.rows() && a.F == b.F;
+  return Same(a.P, b.P) && Same(a.F, b.F);
 }
 
 /// What the convex proxy depends on, apart from the points.
@@ -44,6 +50,85 @@ bool Same(const StyleOptions& a, const StyleOptions& b)
     a.sphericalWeighting == b.sphericalWeighting && a.custom.center == b.custom.center &&
     a.custom.radius == b.custom.radius;
 }
+
+struct ModelKey
+{
+  Points P;
+
+  bool operator==(const ModelKey& other) const { return Same(this->P, other.P); }
+};
+
+/// The model's points, which the key has: a value of their own would be a copy of them.
+struct Nothing
+{
+};
+
+struct ProxyKey
+{
+  int model; // version; an own proxy depends on no model
+  TriangleMesh own;
+  ConvexProxyOptions convex;
+  std::vector<int> hullPoints;
+
+  bool operator==(const ProxyKey& other) const
+  {
+    return this->model == other.model && Same(this->own, other.own) &&
+      Same(this->convex, other.convex) && this->hullPoints == other.hullPoints;
+  }
+};
+
+struct RoundingKey
+{
+  int proxy; // version
+  StyleOptions style;
+
+  bool operator==(const RoundingKey& other) const
+  {
+    return this->proxy == other.proxy && Same(this->style, other.style);
+  }
+};
+
+struct FeetKey
+{
+  int model; // version
+  int proxy; // version
+  Projection projection;
+  int neighbors;
+  Points normals;
+  Points directions;
+
+  bool operator==(const FeetKey& other) const
+  {
+    return this->model == other.model && this->proxy == other.proxy &&
+      this->projection == other.projection && this->neighbors == other.neighbors &&
+      Same(this->normals, other.normals) && Same(this->directions, other.directions);
+  }
+};
+
+struct ConvexityKey
+{
+  int model; // version
+  int proxy; // version
+  Triangles F;
+
+  bool operator==(const ConvexityKey& other) const
+  {
+    return this->model == other.model && this->proxy == other.proxy && Same(this->F, other.F);
+  }
+};
+
+struct RestProxy
+{
+  ConvexProxy Hull;    // empty with an own proxy
+  bool OfPart = false; // whether it is the hull of some of the points
+  std::unique_ptr<SurfaceProjection> Searches;
+};
+
+struct ProjectedFeet
+{
+  Feet OfPoints;
+  double Surplus = 0.0;
+};
 
 /// Every edge is passed as often one way as the other: the surface encloses a volume.
 bool IsClosed(const Triangles& F)
@@ -97,87 +182,94 @@ double LargestSurplus(
 class ProxyDeformation::State
 {
 public:
-  void MakeProxy(const TriangleMesh& model, const ProxyDeformationOptions& options);
-  void Round(const ProxyDeformationOptions& options, const Callback& callback);
-  void Project(const TriangleMesh& model, const ProxyDeformationOptions& options);
+  void UpdateProxy(const TriangleMesh& model, const ProxyDeformationOptions& options);
+  void MakeProxy(
+    const TriangleMesh& model, const ProxyDeformationOptions& options, RestProxy& proxy);
+  void UpdateRounding(const ProxyDeformationOptions& options, const Callback& callback);
+  StyleReport Round(const ProxyDeformationOptions& options, const Callback& callback);
+  void UpdateFeet(const TriangleMesh& model, const ProxyDeformationOptions& options);
+  ProjectedFeet Project(
+    const Points& P, const Points& normals, const ProxyDeformationOptions& options) const;
   void Move(const TriangleMesh& model, const ProxyDeformationOptions& options);
-  void MeasureConvexity(const Triangles& F);
+  void UpdateConvexity(const TriangleMesh& model);
 
-  // What each stage was last done for.
-  Points ModelPoints;
-  Triangles ModelTriangles; // of the convexity alone
-  ProxyDeformationOptions Last;
+  Stage<ModelKey, Nothing> Model;
+  Stage<ProxyKey, RestProxy> Proxy;
+  Stage<RoundingKey, StyleReport> Rounding;
+  Stage<FeetKey, ProjectedFeet> Projected;
+  Stage<ConvexityKey, double> Convexity;
 
-  ConvexProxy Proxy;
-  bool OfPart = false; // whether it is the hull of some of the points
-  StyleSolver Solver;
-  StyleReport Rounding;
-  DeformedProxy Deformed;
-  std::unique_ptr<SurfaceProjection> Searches;
-  Feet FeetOfPoints;
-  double Surplus = 0.0;
-  double Convexity = 0.0;
+  StyleSolver Solver;     // of the proxy
+  DeformedProxy Deformed; // at rest that of the stage, and what rounding made of it
   Points Q;
-
-  // A stage whose flag is down is done again; each takes the later ones down with it.
-  bool HasProxy = false;
-  bool HasRounding = false;
-  bool HasFeet = false;
-  bool HasConvexity = false;
-
   ProxyDeformationReport Report;
 };
 
-void ProxyDeformation::State::MakeProxy(
+void ProxyDeformation::State::UpdateProxy(
   const TriangleMesh& model, const ProxyDeformationOptions& options)
 {
-  const bool own = options.ownProxy.F.rows() > 0;
-  const bool sameModel = Same(model.P, this->ModelPoints);
-  this->HasFeet = this->HasFeet && sameModel;
-  this->HasConvexity = this->HasConvexity && sameModel;
-  this->HasProxy = this->HasProxy && (own || sameModel);
-  this->ModelPoints = model.P;
-  if (this->HasProxy && Same(options.ownProxy, this->Last.ownProxy) &&
-    (own ||
-      (Same(options.convexProxy, this->Last.convexProxy) &&
-        options.hullPoints == this->Last.hullPoints)))
+  this->Model.Update({ model.P }, [](Nothing&) {});
+  ProxyKey key = {};
+  if (options.ownProxy.F.rows() > 0)
   {
-    return;
+    key.own = options.ownProxy;
   }
-  this->HasProxy = this->HasRounding = this->HasFeet = this->HasConvexity = false;
+  else
+  {
+    key.model = this->Model.GetVersion();
+    key.convex = options.convexProxy;
+    key.hullPoints = options.hullPoints;
+  }
   const Stopwatch watch;
-  this->OfPart = !own && HullDimension(model.P(options.hullPoints, Eigen::all)) == 3;
-  const Points P = this->OfPart ? Points(model.P(options.hullPoints, Eigen::all)) : model.P;
-  this->Proxy = own ? ConvexProxy() : MakeConvexProxy(P, options.convexProxy);
-  this->Deformed.rest = own ? options.ownProxy : this->Proxy.mesh;
-  this->Solver.SetMesh(this->Deformed.rest);
-  this->Searches = std::make_unique<SurfaceProjection>(this->Deformed.rest);
-  this->Last.ownProxy = options.ownProxy;
-  this->Last.convexProxy = options.convexProxy;
-  this->Last.hullPoints = options.hullPoints;
-  this->HasProxy = true;
-  this->Report.done.proxy = true;
-  this->Report.seconds.proxy = watch.Seconds();
+  const auto make = [&](RestProxy& proxy) { this->MakeProxy(model, options, proxy); };
+  if (this->Proxy.Update(std::move(key), make))
+  {
+    this->Report.done.proxy = true;
+    this->Report.seconds.proxy = watch.Seconds();
+  }
 }
 
-void ProxyDeformation::State::Round(
+void ProxyDeformation::State::MakeProxy(
+  const TriangleMesh& model, const ProxyDeformationOptions& options, RestProxy& proxy)
+{
+  const bool own = options.ownProxy.F.rows() > 0;
+  proxy.OfPart = !own && HullDimension(model.P(options.hullPoints, Eigen::all)) == 3;
+  const Points P = proxy.OfPart ? Points(model.P(options.hullPoints, Eigen::all)) : model.P;
+  proxy.Hull = own ? ConvexProxy() : MakeConvexProxy(P, options.convexProxy);
+  this->Deformed.rest = own ? options.ownProxy : proxy.Hull.mesh;
+  this->Solver.SetMesh(this->Deformed.rest);
+  proxy.Searches = std::make_unique<SurfaceProjection>(this->Deformed.rest);
+}
+
+void ProxyDeformation::State::UpdateRounding(
   const ProxyDeformationOptions& options, const Callback& callback)
 {
-  if (this->HasRounding && Same(options.style, this->Last.style))
-  {
-    return;
-  }
-  this->HasRounding = false;
   const Stopwatch watch;
+  const auto make = [&](StyleReport& report) { report = this->Round(options, callback); };
+  if (this->Rounding.Update({ this->Proxy.GetVersion(), options.style }, make))
+  {
+    this->Report.done.round = true;
+    this->Report.seconds.round = watch.Seconds();
+  }
+  if (this->Rounding->loop.aborted)
+  {
+    this->Rounding.Forget();
+  }
+}
+
+StyleReport ProxyDeformation::State::Round(
+  const ProxyDeformationOptions& options, const Callback& callback)
+{
   StyleOptions style = options.style;
   style.threads = options.threads;
-  if (this->Proxy.flat)
+  if (this->Proxy->Hull.flat)
   {
     TakeDiscRadius(this->Deformed.rest, style);
   }
+  StyleReport report;
   try
   {
-    this->Rounding = this->Solver.Solve(style, callback);
+    report = this->Solver.Solve(style, callback);
   }
   catch (const SolverError& error)
   {
@@ -187,78 +279,72 @@ void ProxyDeformation::State::Round(
   this->Deformed.rounded = this->Solver.GetPositions();
   this->Deformed.rotations =
     SurfaceRotations(this->Deformed.rest, this->Deformed.rounded, options.threads);
-  this->Last.style = options.style;
-  this->HasRounding = !this->Rounding.loop.aborted;
-  this->Report.done.round = true;
-  this->Report.seconds.round = watch.Seconds();
+  return report;
 }
 
-void ProxyDeformation::State::Project(
+void ProxyDeformation::State::UpdateFeet(
   const TriangleMesh& model, const ProxyDeformationOptions& options)
 {
-  Points normals;
+  FeetKey key = { this->Model.GetVersion(), this->Proxy.GetVersion(), options.projection,
+    options.neighbors, Points(0, 3), options.directions };
   if (options.projection == Projection::SmallestAngle)
   {
-    normals = options.normals.rows() > 0 ? options.normals : PointNormals(model.P, model.F);
+    key.normals = options.normals.rows() > 0 ? options.normals : PointNormals(model.P, model.F);
   }
-  if (this->HasFeet && options.projection == this->Last.projection &&
-    options.neighbors == this->Last.neighbors && Same(normals, this->Last.normals) &&
-    Same(options.directions, this->Last.directions))
-  {
-    return;
-  }
-  this->HasFeet = false;
+  const Points normals = key.normals;
   const Stopwatch watch;
-  const Points& P = model.P;
+  const auto make = [&](ProjectedFeet& feet) { feet = this->Project(model.P, normals, options); };
+  if (this->Projected.Update(std::move(key), make))
+  {
+    this->Report.done.project = true;
+    this->Report.seconds.project = watch.Seconds();
+  }
+}
+
+ProjectedFeet ProxyDeformation::State::Project(
+  const Points& P, const Points& normals, const ProxyDeformationOptions& options) const
+{
+  const SurfaceProjection& searches = *this->Proxy->Searches;
   const int threads = options.threads;
-  this->Surplus = 0.0;
+  ProjectedFeet feet;
   switch (options.projection)
   {
     case Projection::ClosestPoint:
-      this->FeetOfPoints = this->Searches->ClosestPoint(P, threads);
+      feet.OfPoints = searches.ClosestPoint(P, threads);
       break;
     case Projection::NearestVertices:
-      this->FeetOfPoints = this->Searches->NearestVertices(P, options.neighbors, threads);
-      this->Surplus = LargestSurplus(
-        P, this->Deformed.rest, this->FeetOfPoints, this->Searches->ClosestPoint(P, threads));
+      feet.OfPoints = searches.NearestVertices(P, options.neighbors, threads);
+      feet.Surplus =
+        LargestSurplus(P, this->Deformed.rest, feet.OfPoints, searches.ClosestPoint(P, threads));
       break;
     case Projection::SmallestAngle:
-      this->FeetOfPoints = this->Searches->SmallestAngle(P, normals, threads);
+      feet.OfPoints = searches.SmallestAngle(P, normals, threads);
       break;
     case Projection::DirectionArray:
-      this->FeetOfPoints = this->Searches->AlongDirections(P, options.directions, threads);
+      feet.OfPoints = searches.AlongDirections(P, options.directions, threads);
       break;
   }
-  this->Last.projection = options.projection;
-  this->Last.neighbors = options.neighbors;
-  this->Last.normals = std::move(normals);
-  this->Last.directions = options.directions;
-  this->HasFeet = true;
-  this->Report.done.project = true;
-  this->Report.seconds.project = watch.Seconds();
+  return feet;
 }
 
 void ProxyDeformation::State::Move(
   const TriangleMesh& model, const ProxyDeformationOptions& options)
 {
   const Stopwatch watch;
-  const Matrices rotations = RotationsAtFeet(this->Deformed, this->FeetOfPoints, options.threads);
-  this->Q = TransferFromProxy(model.P, this->Deformed, this->FeetOfPoints, rotations, options.t,
-    { options.transfer, options.gain, this->Rounding.sphere.center });
+  const Matrices rotations =
+    RotationsAtFeet(this->Deformed, this->Projected->OfPoints, options.threads);
+  this->Q = TransferFromProxy(model.P, this->Deformed, this->Projected->OfPoints, rotations,
+    options.t, { options.transfer, options.gain, this->Rounding->sphere.center });
   this->Report.turnedOver = CountTurnedOver(model.P, this->Q, model.F, rotations);
   this->Report.seconds.transfer = watch.Seconds();
 }
 
-void ProxyDeformation::State::MeasureConvexity(const Triangles& F)
+void ProxyDeformation::State::UpdateConvexity(const TriangleMesh& model)
 {
-  if (this->HasConvexity && F.rows() == this->ModelTriangles.rows() && F == this->ModelTriangles)
-  {
-    return;
-  }
-  this->Convexity =
-    ConvexityRatio({ this->ModelPoints, F }, this->OfPart ? 0.0 : this->Proxy.hullVolume);
-  this->ModelTriangles = F;
-  this->HasConvexity = true;
+  const RestProxy& proxy = this->Proxy.Get();
+  this->Convexity.Update({ this->Model.GetVersion(), this->Proxy.GetVersion(), model.F },
+    [&](double& ratio)
+    { ratio = ConvexityRatio(model, proxy.OfPart ? 0.0 : proxy.Hull.hullVolume); });
 }
 
 //------------------------------------------------------------------------------------------------
@@ -283,15 +369,15 @@ ProxyDeformationReport ProxyDeformation::Deform(const TriangleMesh& model,
 
   if (goOn(0.0))
   {
-    s.MakeProxy(model, options);
+    s.UpdateProxy(model, options);
   }
   if (goOn(0.3))
   {
-    s.Round(options, roundOn);
+    s.UpdateRounding(options, roundOn);
   }
   if (goOn(0.5))
   {
-    s.Project(model, options);
+    s.UpdateFeet(model, options);
   }
   if (goOn(0.9))
   {
@@ -302,13 +388,13 @@ ProxyDeformationReport ProxyDeformation::Deform(const TriangleMesh& model,
     return report;
   }
 
-  report.style = s.Rounding;
-  report.flat = s.Proxy.flat;
-  report.fallback = s.Proxy.fallback;
-  s.MeasureConvexity(model.F);
-  report.convexityRatio = s.Convexity;
-  report.projectionError = s.Surplus;
-  for (const int number : s.FeetOfPoints.projectionCase)
+  report.style = s.Rounding.Get();
+  report.flat = s.Proxy->Hull.flat;
+  report.fallback = s.Proxy->Hull.fallback;
+  s.UpdateConvexity(model);
+  report.convexityRatio = s.Convexity.Get();
+  report.projectionError = s.Projected->Surplus;
+  for (const int number : s.Projected->OfPoints.projectionCase)
   {
     ++report.caseCounts[number - 1];
   }
@@ -317,7 +403,7 @@ ProxyDeformationReport ProxyDeformation::Deform(const TriangleMesh& model,
     for (Eigen::Index i = 0; i < model.P.rows(); ++i)
     {
       const bool asked = !options.directions.row(i).isZero(0.0);
-      if (asked && s.FeetOfPoints.byClosestPoint[i] != 0)
+      if (asked && s.Projected->OfPoints.byClosestPoint[i] != 0)
       {
         report.firstWithoutHit =
           report.withoutHit++ == 0 ? static_cast<int>(i) : report.firstWithoutHit;
@@ -339,6 +425,6 @@ const DeformedProxy& ProxyDeformation::GetProxy() const
 
 const Feet& ProxyDeformation::GetFeet() const
 {
-  return this->S->FeetOfPoints;
+  return this->S->Projected->OfPoints;
 }
 } // namespace SphericalStyle

@@ -74,15 +74,8 @@ struct ProxyDeformationReport
   } seconds;
 };
 
-/// Kept between calls: each stage is done again only when something it depends on has changed.
-///
-/// | change                              | redone                             |
-/// |-------------------------------------|------------------------------------|
-/// | points of the model, mesher, number | all                                |
-/// | seed, own proxy, hull points        | all                                |
-/// | roundness, center, radius           | rounding, transfer                 |
-/// | projection, normals, directions     | projection, transfer               |
-/// | t, transfer, gain                   | transfer                           |
+/// Kept between calls: proxy, rounding and feet are stages of its State, and each is done again
+/// only where its key is another one. The transfer is always done.
 class ProxyDeformation
 {
 public:
