@@ -5,7 +5,7 @@
 # built; all else has a way without it, which is said and taken. GCC and Clang are tested. What is here for Microsoft's
 # compiler is written from its documentation and was never run.
 #
-# Sets sphericalstyle_warnings, sphericalstyle_contraction, sphericalstyle_math and sphericalstyle_missing_definitions,
+# Sets sphericalstyle_warnings, sphericalstyle_vtk_warnings, sphericalstyle_contraction, sphericalstyle_math and sphericalstyle_missing_definitions,
 # options of targets, and sphericalstyle_vectors, definitions for Filters/Solver/Parallel/Vector4.h.
 include(CheckCXXCompilerFlag)
 include(CheckCXXSourceCompiles)
@@ -58,6 +58,9 @@ else ()
     endif ()
   endforeach ()
 endif ()
+# GCC calls the semicolon behind VTK's type macros an extension: what includes VTK goes without -Wpedantic.
+set(sphericalstyle_vtk_warnings ${sphericalstyle_warnings})
+list(REMOVE_ITEM sphericalstyle_vtk_warnings -Wpedantic)
 
 # Roots of several numbers at once set no errno.
 check_cxx_compiler_flag(-fno-math-errno SPHERICALSTYLE_HAS_NO_MATH_ERRNO)
