@@ -5,8 +5,9 @@
 # built; all else has a way without it, which is said and taken. GCC and Clang are tested. What is here for Microsoft's
 # compiler is written from its documentation and was never run.
 #
-# Sets sphericalstyle_warnings, sphericalstyle_vtk_warnings, sphericalstyle_contraction, sphericalstyle_math and sphericalstyle_missing_definitions,
-# options of targets, and sphericalstyle_vectors, definitions for Filters/Solver/Parallel/Vector4.h.
+# Sets options of targets (sphericalstyle_warnings, sphericalstyle_vtk_warnings, sphericalstyle_contraction,
+# sphericalstyle_math, sphericalstyle_missing_definitions) and sphericalstyle_vectors, definitions for
+# Filters/Solver/Parallel/Vector4.h.
 include(CheckCXXCompilerFlag)
 include(CheckCXXSourceCompiles)
 include(CheckLinkerFlag)
