@@ -27,7 +27,7 @@ inline vtkSmartPointer<vtkAbstractArray> ArrayFromBytes(
   constexpr int types[] = { VTK_DOUBLE, VTK_FLOAT, VTK_INT, VTK_UNSIGNED_CHAR, VTK_ID_TYPE, VTK_BIT,
     VTK_STRING };
   const int shape = bytes.Byte();
-  const auto array = vtkSmartPointer<vtkAbstractArray>::Take(
+  auto array = vtkSmartPointer<vtkAbstractArray>::Take(
     vtkAbstractArray::CreateArray(types[bytes.Below(sizeof(types) / sizeof(types[0]))]));
   array->SetName(name);
   array->SetNumberOfComponents(shape % 2 == 0 ? 1 : 1 + shape / 2 % 4);
@@ -172,7 +172,7 @@ inline Surface PointsFromBytes(Bytes& bytes)
 
 inline Surface SurfaceFromBytes(Bytes& bytes)
 {
-  const Surface surface = PointsFromBytes(bytes);
+  Surface surface = PointsFromBytes(bytes);
   AddCellsFromBytes(bytes, surface);
   AddArraysFromBytes(bytes, surface->GetPointData(), surface->GetNumberOfPoints());
   AddArraysFromBytes(bytes, surface->GetCellData(), surface->GetNumberOfCells());

@@ -433,7 +433,7 @@ Points ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFor
     std::vector<int> onCenter;
     const Points t = this->Directions(o, sphere, onCenter);
     this->Result.directions += omega * t;
-    targets.push_back((sphere.radius * t).rowwise() + sphere.center.transpose());
+    targets.emplace_back((sphere.radius * t).rowwise() + sphere.center.transpose());
     shared += omega * targets.back();
     report.pointsOnCenter.insert(report.pointsOnCenter.end(), onCenter.begin(), onCenter.end());
   }

@@ -119,6 +119,7 @@ std::vector<Matrix3d> BlockAxes(
     }
   }
   std::vector<Matrix3d> axes;
+  axes.reserve(moments.size());
   for (const Moments& sum : moments)
   {
     axes.push_back(Axes(sum));
