@@ -51,11 +51,15 @@ bool Same(const StyleOptions& a, const StyleOptions& b)
     a.custom.radius == b.custom.radius;
 }
 
+/// The points of the model.
 struct ModelKey
 {
-  Points P;
+  std::shared_ptr<const TriangleMesh> mesh;
 
-  bool operator==(const ModelKey& other) const { return Same(this->P, other.P); }
+  bool operator==(const ModelKey& other) const
+  {
+    return this->mesh == other.mesh || Same(this->mesh->P, other.mesh->P);
+  }
 };
 
 /// The model's points, which the key has: a value of their own would be a copy of them.
@@ -107,13 +111,14 @@ struct FeetKey
 
 struct ConvexityKey
 {
-  int model; // version
-  int proxy; // version
-  Triangles F;
+  int model;                                // version
+  int proxy;                                // version
+  std::shared_ptr<const TriangleMesh> mesh; // its triangles
 
   bool operator==(const ConvexityKey& other) const
   {
-    return this->model == other.model && this->proxy == other.proxy && Same(this->F, other.F);
+    return this->model == other.model && this->proxy == other.proxy &&
+      (this->mesh == other.mesh || Same(this->mesh->F, other.mesh->F));
   }
 };
 
@@ -182,7 +187,8 @@ double LargestSurplus(
 class ProxyDeformation::State
 {
 public:
-  void UpdateProxy(const TriangleMesh& model, const ProxyDeformationOptions& options);
+  void UpdateProxy(
+    const std::shared_ptr<const TriangleMesh>& model, const ProxyDeformationOptions& options);
   void MakeProxy(
     const TriangleMesh& model, const ProxyDeformationOptions& options, RestProxy& proxy);
   void UpdateRounding(const ProxyDeformationOptions& options, const Callback& callback);
@@ -191,7 +197,7 @@ public:
   ProjectedFeet Project(
     const Points& P, const Points& normals, const ProxyDeformationOptions& options) const;
   void Move(const TriangleMesh& model, const ProxyDeformationOptions& options);
-  void UpdateConvexity(const TriangleMesh& model);
+  void UpdateConvexity(const std::shared_ptr<const TriangleMesh>& model);
 
   Stage<ModelKey, Nothing> Model;
   Stage<ProxyKey, RestProxy> Proxy;
@@ -206,9 +212,9 @@ public:
 };
 
 void ProxyDeformation::State::UpdateProxy(
-  const TriangleMesh& model, const ProxyDeformationOptions& options)
+  const std::shared_ptr<const TriangleMesh>& model, const ProxyDeformationOptions& options)
 {
-  this->Model.Update({ model.P }, [](Nothing&) {});
+  this->Model.Update({ model }, [](Nothing&) {});
   ProxyKey key = {};
   if (options.ownProxy.F.rows() > 0)
   {
@@ -221,7 +227,7 @@ void ProxyDeformation::State::UpdateProxy(
     key.hullPoints = options.hullPoints;
   }
   const Stopwatch watch;
-  const auto make = [&](RestProxy& proxy) { this->MakeProxy(model, options, proxy); };
+  const auto make = [&](RestProxy& proxy) { this->MakeProxy(*model, options, proxy); };
   if (this->Proxy.Update(std::move(key), make))
   {
     this->Report.done.proxy = true;
@@ -339,12 +345,12 @@ void ProxyDeformation::State::Move(
   this->Report.seconds.transfer = watch.Seconds();
 }
 
-void ProxyDeformation::State::UpdateConvexity(const TriangleMesh& model)
+void ProxyDeformation::State::UpdateConvexity(const std::shared_ptr<const TriangleMesh>& model)
 {
   const RestProxy& proxy = this->Proxy.Get();
-  this->Convexity.Update({ this->Model.GetVersion(), this->Proxy.GetVersion(), model.F },
+  this->Convexity.Update({ this->Model.GetVersion(), this->Proxy.GetVersion(), model },
     [&](double& ratio)
-    { ratio = ConvexityRatio(model, proxy.OfPart ? 0.0 : proxy.Hull.hullVolume); });
+    { ratio = ConvexityRatio(*model, proxy.OfPart ? 0.0 : proxy.Hull.hullVolume); });
 }
 
 //------------------------------------------------------------------------------------------------
@@ -358,6 +364,13 @@ ProxyDeformation::~ProxyDeformation() = default;
 ProxyDeformationReport ProxyDeformation::Deform(const TriangleMesh& model,
   const ProxyDeformationOptions& options, const std::function<bool(double)>& carryOn)
 {
+  return this->Deform(std::make_shared<const TriangleMesh>(model), options, carryOn);
+}
+
+ProxyDeformationReport ProxyDeformation::Deform(const std::shared_ptr<const TriangleMesh>& shared,
+  const ProxyDeformationOptions& options, const std::function<bool(double)>& carryOn)
+{
+  const TriangleMesh& model = *shared;
   State& s = *this->S;
   ProxyDeformationReport& report = s.Report = {};
   const auto goOn = [&](double share)
@@ -369,7 +382,7 @@ ProxyDeformationReport ProxyDeformation::Deform(const TriangleMesh& model,
 
   if (goOn(0.0))
   {
-    s.UpdateProxy(model, options);
+    s.UpdateProxy(shared, options);
   }
   if (goOn(0.3))
   {
@@ -391,7 +404,7 @@ ProxyDeformationReport ProxyDeformation::Deform(const TriangleMesh& model,
   report.style = s.Rounding.Get();
   report.flat = s.Proxy->Hull.flat;
   report.fallback = s.Proxy->Hull.fallback;
-  s.UpdateConvexity(model);
+  s.UpdateConvexity(shared);
   report.convexityRatio = s.Convexity.Get();
   report.projectionError = s.Projected->Surplus;
   for (const int number : s.Projected->OfPoints.projectionCase)

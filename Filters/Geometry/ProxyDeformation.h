@@ -85,6 +85,9 @@ public:
   /// Deforms the model. @param model  finite points; triangles may be missing
   /// @param carryOn  gets the share that is done, 0..1; false ends the work
   /// @throw std::invalid_argument: see MakeConvexProxy, StyleSolver @throw SolverError
+  ProxyDeformationReport Deform(const std::shared_ptr<const TriangleMesh>& model,
+    const ProxyDeformationOptions& options, const std::function<bool(double)>& carryOn = {});
+  /// The same with a copy of the model.
   ProxyDeformationReport Deform(const TriangleMesh& model, const ProxyDeformationOptions& options,
     const std::function<bool(double)>& carryOn = {});
 
