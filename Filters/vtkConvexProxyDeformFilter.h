@@ -74,6 +74,15 @@
 #include "vtkStyleAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
+#include <vector> // for std::vector
+
+struct vtkSurfaceMesh;
+
+namespace SphericalStyle
+{
+struct ProxyDeformationOptions;
+struct ProxyDeformationReport;
+}
 
 class SPHERICALSTYLEFILTERS_EXPORT vtkConvexProxyDeformFilter : public vtkStyleAlgorithm
 {
@@ -429,6 +438,17 @@ private:
 
   /// RequestData, which turns what this throws into a message.
   int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
+  // Its steps.
+  void CheckProperties() const;
+  SphericalStyle::ProxyDeformationOptions MakeOptions() const;
+  void TakeArrays(const vtkSurfaceMesh& surface, vtkPolyData* model,
+    SphericalStyle::ProxyDeformationOptions& options);
+  /// t of every mesh point and axis. @return whether an array of 3 components gave it
+  bool TakeBlend(const vtkSurfaceMesh& surface, vtkPolyData* model, const std::vector<char>& region,
+    SphericalStyle::ProxyDeformationOptions& options);
+  void SetFacts(const SphericalStyle::ProxyDeformationReport& report, int proxyPoints,
+    double diagonal, bool ownProxy);
 
   int ProxyMesher = ISOTROPIC_REMESHING;
   int HullOf = REGION;

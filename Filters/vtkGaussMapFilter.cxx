@@ -75,6 +75,33 @@ WeightedNormals WithDirection(const Points& normals, const Eigen::VectorXd& weig
   return result;
 }
 
+/// @param wanted  vtkAlgorithm::GetInputArrayInformation
+/// @param surface  the triangles that were looked at, for messages
+WeightedNormals GatherNormals(vtkInformation* wanted, bool ofPoints, bool areaWeighted,
+  vtkPolyData* input, vtkSurfaceMesh& surface)
+{
+  using namespace vtkSurfaceMeshConversion;
+  const bool given =
+    ofPoints && FindPointArray(wanted, input, NormalsRule.Purpose, NormalsRule.Attribute);
+  // Given normals may differ between points at one place, as at a crease.
+  surface = FromPolyData(input, !given);
+  const SphericalStyle::Points& P = surface.Mesh.P;
+  const SphericalStyle::Triangles& F = surface.Mesh.F;
+  Eigen::VectorXd areas; // relative ones, which are finite at any size
+  if (areaWeighted)
+  {
+    const SphericalStyle::Points unit = SphericalStyle::AtUnitSize(P);
+    areas = ofPoints ? SphericalStyle::PointAreas(unit, F) : SphericalStyle::TriangleAreas(unit, F);
+  }
+  if (!ofPoints)
+  {
+    return WithDirection(SphericalStyle::TriangleNormals(P, F), areas);
+  }
+  return WithDirection(given ? GatherPointArray(wanted, input, surface, NormalsRule)
+                             : SphericalStyle::PointNormals(P, F),
+    areas);
+}
+
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const Eigen::VectorXd& values)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
@@ -124,108 +151,13 @@ void FillImage(vtkImageData* output, const Eigen::VectorXd& counts)
 }
 }
 
-//------------------------------------------------------------------------------------------------
-struct vtkGaussMapFilter::Internals
+/// Of one execution.
+struct vtkGaussMapFilter::Counts
 {
-  static WeightedNormals GatherNormals(
-    vtkGaussMapFilter* self, vtkPolyData* input, vtkSurfaceMesh& surface);
-  static void Measure(vtkGaussMapFilter* self, const Eigen::VectorXd& equalAngle,
-    const Eigen::VectorXd& equalArea, Eigen::Index normals);
-  static void FillTable(const vtkGaussMapFilter* self, vtkTable* table);
-  static void Warn(vtkGaussMapFilter* self, const vtkSurfaceMesh& surface, int without);
+  Eigen::VectorXd EqualAngle = Eigen::VectorXd::Zero(1); ///< normals per unit
+  Eigen::VectorXd EqualArea = Eigen::VectorXd::Zero(1);  ///< the same
+  Eigen::Index Normals = 0;
 };
-
-/// @param surface  the triangles that were looked at, for messages
-WeightedNormals vtkGaussMapFilter::Internals::GatherNormals(
-  vtkGaussMapFilter* self, vtkPolyData* input, vtkSurfaceMesh& surface)
-{
-  using namespace vtkSurfaceMeshConversion;
-  vtkInformation* wanted = self->GetInputArrayInformation(0);
-  const bool ofPoints = self->NormalSource == POINT_NORMALS;
-  const bool given =
-    ofPoints && FindPointArray(wanted, input, NormalsRule.Purpose, NormalsRule.Attribute);
-  // Given normals may differ between points at one place, as at a crease.
-  surface = FromPolyData(input, !given);
-  const SphericalStyle::Points& P = surface.Mesh.P;
-  const SphericalStyle::Triangles& F = surface.Mesh.F;
-  Eigen::VectorXd areas; // relative ones, which are finite at any size
-  if (self->AreaWeighted)
-  {
-    const SphericalStyle::Points unit = SphericalStyle::AtUnitSize(P);
-    areas = ofPoints ? SphericalStyle::PointAreas(unit, F) : SphericalStyle::TriangleAreas(unit, F);
-  }
-  if (!ofPoints)
-  {
-    return WithDirection(SphericalStyle::TriangleNormals(P, F), areas);
-  }
-  return WithDirection(given ? GatherPointArray(wanted, input, surface, NormalsRule)
-                             : SphericalStyle::PointNormals(P, F),
-    areas);
-}
-
-void vtkGaussMapFilter::Internals::Measure(vtkGaussMapFilter* self,
-  const Eigen::VectorXd& equalAngle, const Eigen::VectorXd& equalArea, Eigen::Index normals)
-{
-  using SphericalStyle::UnitsAbove;
-  const double sizeOfUnit =
-    static_cast<double>(equalAngle.size()) / static_cast<double>(equalArea.size());
-  self->NumberOfNormals = static_cast<int>(normals);
-  self->UnitsHit = UnitsAbove(equalAngle, 0.0);
-  self->UnitsHitOften = UnitsAbove(equalAngle, self->OftenThreshold);
-  self->EqualAreaUnitsHit = UnitsAbove(equalArea, 0.0);
-  self->EqualAreaUnitsHitOften = UnitsAbove(equalArea, self->OftenThreshold * sizeOfUnit);
-  const SphericalStyle::Spread spread = SphericalStyle::MeasureSpread(equalArea);
-  self->Entropy = spread.entropy;
-  self->RelativeEntropy = spread.relativeEntropy;
-  self->KullbackLeiblerDivergence = spread.divergence;
-  self->DistanceToUniform = spread.distanceToUniform;
-}
-
-void vtkGaussMapFilter::Internals::FillTable(const vtkGaussMapFilter* self, vtkTable* table)
-{
-  const auto addNumber = [table](const char* name, int value)
-  {
-    vtkNew<vtkIntArray> column;
-    column->SetName(name);
-    column->InsertNextValue(value);
-    table->AddColumn(column);
-  };
-  const auto addMeasure = [table](const char* name, double value)
-  { table->AddColumn(MakeArray(name, Eigen::VectorXd::Constant(1, value))); };
-  addNumber("Normals", self->NumberOfNormals);
-  addNumber("UnitsHit", self->UnitsHit);
-  addNumber("UnitsHitOften", self->UnitsHitOften);
-  addNumber("EqualAreaUnits", self->NumberOfEqualAreaUnits);
-  addNumber("EqualAreaUnitsHit", self->EqualAreaUnitsHit);
-  addNumber("EqualAreaUnitsHitOften", self->EqualAreaUnitsHitOften);
-  addMeasure("Entropy", self->Entropy);
-  addMeasure("RelativeEntropy", self->RelativeEntropy);
-  addMeasure("KullbackLeiblerDivergence", self->KullbackLeiblerDivergence);
-  addMeasure("DistanceToUniform", self->DistanceToUniform);
-}
-
-void vtkGaussMapFilter::Internals::Warn(
-  vtkGaussMapFilter* self, const vtkSurfaceMesh& surface, int without)
-{
-  const auto warn = [self](const std::string& text)
-  { vtkWarningWithObjectMacro(self, << InBlock(self) << text); };
-  if (self->NumberOfNormals == 0)
-  {
-    warn("the input has no normals to count");
-  }
-  for (const std::string& remark : { vtkSurfaceMeshConversion::FannedRemark(surface),
-         vtkSurfaceMeshConversion::SkippedRemark(surface) })
-  {
-    if (!remark.empty())
-    {
-      warn(remark);
-    }
-  }
-  if (without > 0)
-  {
-    warn("skipped " + Count(without, "normal") + " of length 0");
-  }
-}
 
 //------------------------------------------------------------------------------------------------
 vtkGaussMapFilter::vtkGaussMapFilter()
@@ -272,7 +204,7 @@ int vtkGaussMapFilter::Execute(
 {
   using namespace SphericalStyle;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
-  Internals::Measure(this, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), 0); // of nothing
+  this->SetFacts({});
   vtkImageData::GetData(outputVector, 1)->Initialize(); // an image keeps its array otherwise
   if (!IsSurface(this, inputVector[0]))
   {
@@ -286,22 +218,72 @@ int vtkGaussMapFilter::Execute(
   Require(std::isfinite(this->OftenThreshold) && this->OftenThreshold >= 0.0, "OftenThreshold",
     "finite and 0 or more", this->OftenThreshold);
   vtkSurfaceMesh surface;
-  const WeightedNormals found = Internals::GatherNormals(this, input, surface);
+  const WeightedNormals found = GatherNormals(this->GetInputArrayInformation(0),
+    this->NormalSource == POINT_NORMALS, this->AreaWeighted, input, surface);
 
   const auto equalAngle = SphericalStyle::SphereUnits::EqualAngle(Longitudes, Latitudes);
   const auto equalArea = SphericalStyle::SphereUnits::EqualArea(this->NumberOfEqualAreaUnits);
   const Eigen::VectorXd weights = RelativeWeights(found.normals.rows(), found.weights);
-  const Eigen::VectorXd angleCounts = CountNormals(equalAngle, found.normals, weights);
-  const Eigen::VectorXd areaCounts = CountNormals(equalArea, found.normals, weights);
+  const Counts counts = { CountNormals(equalAngle, found.normals, weights),
+    CountNormals(equalArea, found.normals, weights), found.normals.rows() };
 
   const bool showAngle = this->SphereUnits == EQUAL_ANGLE;
   FillSphere(vtkPolyData::GetData(outputVector, 0), showAngle ? equalAngle : equalArea,
-    showAngle ? angleCounts : areaCounts);
-  FillImage(vtkImageData::GetData(outputVector, 1), angleCounts);
-  Internals::Measure(this, angleCounts, areaCounts, found.normals.rows());
-  Internals::FillTable(this, vtkTable::GetData(outputVector, 2));
-  Internals::Warn(this, surface, found.without);
+    showAngle ? counts.EqualAngle : counts.EqualArea);
+  FillImage(vtkImageData::GetData(outputVector, 1), counts.EqualAngle);
+  this->SetFacts(counts);
+  this->FillTable(vtkTable::GetData(outputVector, 2));
+  if (counts.Normals == 0)
+  {
+    Warn(this, "the input has no normals to count");
+  }
+  Warn(this, vtkSurfaceMeshConversion::FannedRemark(surface));
+  Warn(this, vtkSurfaceMeshConversion::SkippedRemark(surface));
+  if (found.without > 0)
+  {
+    Warn(this, "skipped " + Count(found.without, "normal") + " of length 0");
+  }
   return 1;
+}
+
+void vtkGaussMapFilter::SetFacts(const Counts& counts)
+{
+  using SphericalStyle::UnitsAbove;
+  const double sizeOfUnit =
+    static_cast<double>(counts.EqualAngle.size()) / static_cast<double>(counts.EqualArea.size());
+  this->NumberOfNormals = static_cast<int>(counts.Normals);
+  this->UnitsHit = UnitsAbove(counts.EqualAngle, 0.0);
+  this->UnitsHitOften = UnitsAbove(counts.EqualAngle, this->OftenThreshold);
+  this->EqualAreaUnitsHit = UnitsAbove(counts.EqualArea, 0.0);
+  this->EqualAreaUnitsHitOften = UnitsAbove(counts.EqualArea, this->OftenThreshold * sizeOfUnit);
+  const SphericalStyle::Spread spread = SphericalStyle::MeasureSpread(counts.EqualArea);
+  this->Entropy = spread.entropy;
+  this->RelativeEntropy = spread.relativeEntropy;
+  this->KullbackLeiblerDivergence = spread.divergence;
+  this->DistanceToUniform = spread.distanceToUniform;
+}
+
+void vtkGaussMapFilter::FillTable(vtkTable* table) const
+{
+  const auto addNumber = [table](const char* name, int value)
+  {
+    vtkNew<vtkIntArray> column;
+    column->SetName(name);
+    column->InsertNextValue(value);
+    table->AddColumn(column);
+  };
+  const auto addMeasure = [table](const char* name, double value)
+  { table->AddColumn(MakeArray(name, Eigen::VectorXd::Constant(1, value))); };
+  addNumber("Normals", this->NumberOfNormals);
+  addNumber("UnitsHit", this->UnitsHit);
+  addNumber("UnitsHitOften", this->UnitsHitOften);
+  addNumber("EqualAreaUnits", this->NumberOfEqualAreaUnits);
+  addNumber("EqualAreaUnitsHit", this->EqualAreaUnitsHit);
+  addNumber("EqualAreaUnitsHitOften", this->EqualAreaUnitsHitOften);
+  addMeasure("Entropy", this->Entropy);
+  addMeasure("RelativeEntropy", this->RelativeEntropy);
+  addMeasure("KullbackLeiblerDivergence", this->KullbackLeiblerDivergence);
+  addMeasure("DistanceToUniform", this->DistanceToUniform);
 }
 
 void vtkGaussMapFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -71,6 +71,8 @@
 #include "SphericalStyleFiltersModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+class vtkTable;
+
 class SPHERICALSTYLEFILTERS_EXPORT vtkGaussMapFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -172,6 +174,11 @@ private:
   /// RequestData, which turns what this throws into a message.
   int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
+  // Its steps.
+  struct Counts;
+  void SetFacts(const Counts& counts);
+  void FillTable(vtkTable* table) const;
+
   int NormalSource = FACE_NORMALS;
   bool AreaWeighted = false;
   double OftenThreshold = 5.0;
@@ -187,8 +194,6 @@ private:
   double RelativeEntropy = 0.0;
   double KullbackLeiblerDivergence = 0.0;
   double DistanceToUniform = 0.0;
-
-  struct Internals; // helpers that may see the members above
 };
 
 #endif

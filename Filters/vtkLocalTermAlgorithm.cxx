@@ -15,61 +15,12 @@
 
 using namespace vtkFilterSupport;
 
+/// What is kept between executions.
 struct vtkLocalTermAlgorithm::Internals
 {
   SphericalStyle::StyleSolver Solver;
-  vtkSurfaceMesh Surface;
-  SphericalStyle::StyleReport Report;
-
-  void Solve(vtkLocalTermAlgorithm* self, const std::shared_ptr<SphericalStyle::LocalTerm>& term);
-  SphericalStyle::Points GetPositions() const;
-  void Warn(vtkLocalTermAlgorithm* self) const;
+  std::shared_ptr<const vtkSurfaceMesh> Surface; // shared with the solver; or nullptr
 };
-
-void vtkLocalTermAlgorithm::Internals::Solve(
-  vtkLocalTermAlgorithm* self, const std::shared_ptr<SphericalStyle::LocalTerm>& term)
-{
-  SphericalStyle::StyleOptions options;
-  options.loop = self->MakeLoopOptions();
-  if (this->Surface.Mesh.F.rows() == 0)
-  {
-    return;
-  }
-  self->SetProgressText("Deforming");
-  self->UpdateProgress(0.1);
-  options.lambda = 0.0; // no sphere: the term is the whole style
-  options.localTerm = term;
-  options.threads = ThreadsToUse(self->NumberOfThreads);
-  this->Solver.SetMesh(this->Surface.Mesh);
-  this->Report = this->Solver.Solve(options,
-    [self](int iteration, double)
-    {
-      self->UpdateProgress(1.0 - 0.8 / (1.0 + 0.1 * iteration));
-      return !Aborted(self);
-    });
-}
-
-SphericalStyle::Points vtkLocalTermAlgorithm::Internals::GetPositions() const
-{
-  return this->Surface.Mesh.F.rows() > 0 ? this->Solver.GetPositions()
-                                         : SphericalStyle::Points(0, 3);
-}
-
-void vtkLocalTermAlgorithm::Internals::Warn(vtkLocalTermAlgorithm* self) const
-{
-  std::vector<std::string> remarks = vtkSurfaceMeshConversion::Remarks(this->Surface);
-  if (this->Surface.Mesh.F.rows() > 0)
-  {
-    for (std::string& remark : vtkStyleHistory::Remarks(this->Report))
-    {
-      remarks.push_back(std::move(remark));
-    }
-  }
-  for (const std::string& remark : remarks)
-  {
-    vtkWarningWithObjectMacro(self, << InBlock(self) << remark);
-  }
-}
 
 //------------------------------------------------------------------------------------------------
 vtkLocalTermAlgorithm::vtkLocalTermAlgorithm()
@@ -95,11 +46,10 @@ int vtkLocalTermAlgorithm::RequestWholeData(
 int vtkLocalTermAlgorithm::Execute(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  Internals& internal = *this->Internal;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  internal.Report = {};
-  this->SetLoopFacts(internal.Report.loop);
+  SphericalStyle::StyleReport report;
+  this->SetLoopFacts(report.loop);
   if (!IsSurface(this, inputVector[0]))
   {
     return 0;
@@ -109,15 +59,52 @@ int vtkLocalTermAlgorithm::Execute(
     return 1;
   }
   const std::shared_ptr<SphericalStyle::LocalTerm> term = this->MakeTerm(inputVector);
-  internal.Surface = vtkSurfaceMeshConversion::FromPolyData(input, true);
-  internal.Solve(this, term);
+  vtkSurfaceMeshConversion::Update(input, true, this->Internal->Surface);
+  const vtkSurfaceMesh& surface = *this->Internal->Surface;
+  SphericalStyle::Points Q(0, 3);
+  if (surface.Mesh.F.rows() > 0)
+  {
+    report = this->Solve(term);
+    Q = this->Internal->Solver.GetPositions();
+  }
   output->ShallowCopy(input);
-  vtkSurfaceMeshConversion::ReplacePoints(output, internal.Surface, internal.GetPositions(),
-    this->OutputPointsPrecision, this->GenerateNormals);
+  vtkSurfaceMeshConversion::ReplacePoints(
+    output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);
   vtkSurfaceMeshConversion::AddDisplacement(output, input);
-  this->AddArrays(*term, internal.Surface, output);
-  vtkStyleHistory::Fill(vtkTable::GetData(outputVector, 1), internal.Report, this->GetTermName());
-  internal.Warn(this);
-  this->SetLoopFacts(internal.Report.loop);
+  this->AddArrays(*term, surface, output);
+  vtkStyleHistory::Fill(vtkTable::GetData(outputVector, 1), report, this->GetTermName());
+  for (const std::string& remark : vtkSurfaceMeshConversion::Remarks(surface))
+  {
+    Warn(this, remark);
+  }
+  if (surface.Mesh.F.rows() > 0)
+  {
+    for (const std::string& remark : vtkStyleHistory::Remarks(report))
+    {
+      Warn(this, remark);
+    }
+  }
+  this->SetLoopFacts(report.loop);
   return 1;
+}
+
+SphericalStyle::StyleReport vtkLocalTermAlgorithm::Solve(
+  const std::shared_ptr<SphericalStyle::LocalTerm>& term)
+{
+  const std::shared_ptr<const vtkSurfaceMesh>& surface = this->Internal->Surface;
+  SphericalStyle::StyleSolver& solver = this->Internal->Solver;
+  this->SetProgressText("Deforming");
+  this->UpdateProgress(0.1);
+  SphericalStyle::StyleOptions options;
+  options.loop = this->MakeLoopOptions();
+  options.lambda = 0.0; // no sphere: the term is the whole style
+  options.localTerm = term;
+  options.threads = ThreadsToUse(this->NumberOfThreads);
+  solver.SetMesh(std::shared_ptr<const SphericalStyle::TriangleMesh>(surface, &surface->Mesh));
+  return solver.Solve(options,
+    [this](int iteration, double)
+    {
+      this->UpdateProgress(1.0 - 0.8 / (1.0 + 0.1 * iteration));
+      return !Aborted(this);
+    });
 }

@@ -39,6 +39,7 @@ struct vtkSurfaceMesh;
 namespace SphericalStyle
 {
 class LocalTerm;
+struct StyleReport;
 }
 
 class SPHERICALSTYLEFILTERS_EXPORT vtkLocalTermAlgorithm : public vtkIterativeStyleAlgorithm
@@ -68,8 +69,9 @@ private:
 
   /// RequestData, which turns what this throws into a message.
   int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  SphericalStyle::StyleReport Solve(const std::shared_ptr<SphericalStyle::LocalTerm>& term);
 
-  struct Internals; // the solver, kept between executions
+  struct Internals; // what is kept between executions
   std::unique_ptr<Internals> Internal;
 };
 

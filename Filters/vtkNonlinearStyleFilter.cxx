@@ -170,7 +170,7 @@ void vtkNonlinearStyleFilter::Warn(const SphericalStyle::StyleReport& report)
   }
   for (const std::string& remark : remarks)
   {
-    vtkWarningMacro(<< InBlock(this) << remark);
+    vtkFilterSupport::Warn(this, remark);
   }
 }
 

@@ -103,7 +103,7 @@ int vtkSphereProjectionFilter::Execute(
   }
   if (this->RadiusMode == EQUAL_VOLUME)
   {
-    vtkTargetSphere::WarnOfVolume(this, "the surface", surface.Mesh);
+    Warn(this, vtkTargetSphere::VolumeRemark("the surface", surface.Mesh));
   }
   std::copy_n(sphere.center.data(), 3, this->EffectiveCenter);
   this->EffectiveRadius = sphere.radius;

@@ -116,6 +116,11 @@
 
 class vtkPointSet;
 
+namespace SphericalStyle
+{
+struct MethodOptions;
+}
+
 class SPHERICALSTYLEFILTERS_EXPORT vtkSphericalStyleFilter : public vtkIterativeStyleAlgorithm
 {
 public:
@@ -505,6 +510,18 @@ private:
   /// RequestData, which turns what this throws into a message.
   int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
+  struct Internals; // what is kept between executions
+  struct Execution; // what one execution solves, and how it ends
+
+  // The steps of an execution.
+  void CheckProperties() const;
+  void Take(vtkInformationVector** inputVector, Internals& internal, Execution& execution);
+  SphericalStyle::MethodOptions MakeOptions() const;
+  void Solve(Internals& internal, Execution& execution);
+  void AttachArrays(const Internals& internal, const Execution& execution, vtkPolyData* output);
+  void SetFacts(const Execution& execution);
+  void Review(Internals& internal, const Execution& execution);
+
   static constexpr int NotCounted = -1;
 
   double Roundness = 1.0;
@@ -541,7 +558,6 @@ private:
   vtkTimeStamp AdviceTime;
   int EffectiveCenterMode = AREA_CENTROID; // of the last execution
 
-  struct Internals;                    // the solver, kept between executions
   std::shared_ptr<Internals> Internal; // an execution holds on to its own, see ReleaseCache
 };
 

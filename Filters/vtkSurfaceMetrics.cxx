@@ -102,7 +102,7 @@ vtkIdType CountTriangles(const Pairs& pairs)
 
 //------------------------------------------------------------------------------------------------
 /// One execution: measures and writes what it finds to both outputs.
-struct vtkSurfaceMetrics::Internals
+struct vtkSurfaceMetrics::Measurement
 {
   vtkSurfaceMetrics* Self;
   const vtkSurfaceMesh& Surface;
@@ -167,7 +167,7 @@ struct vtkSurfaceMetrics::Internals
   void Measure(vtkPolyData* reference) const;
 };
 
-void vtkSurfaceMetrics::Internals::MeasureEdges(const MeshEdges& edges,
+void vtkSurfaceMetrics::Measurement::MeasureEdges(const MeshEdges& edges,
   const SphericalStyle::EdgeCounts& counts, const SphericalStyle::MeshTopology& topology) const
 {
   const vtkIdType n = topology.GetNumberOfPoints();
@@ -184,7 +184,7 @@ void vtkSurfaceMetrics::Internals::MeasureEdges(const MeshEdges& edges,
   this->AddCount("EulerCharacteristic", n - edges.GetNumberOfEdges() + m);
 }
 
-void vtkSurfaceMetrics::Internals::MeasureShape(bool closed) const
+void vtkSurfaceMetrics::Measurement::MeasureShape(bool closed) const
 {
   using namespace SphericalStyle;
   const Points& P = this->Surface.Mesh.P;
@@ -210,7 +210,7 @@ void vtkSurfaceMetrics::Internals::MeasureShape(bool closed) const
   this->AddNumber("FittedSphereError", fitted.error);
 }
 
-void vtkSurfaceMetrics::Internals::MeasureQuality(const MeshEdges& edges) const
+void vtkSurfaceMetrics::Measurement::MeasureQuality(const MeshEdges& edges) const
 {
   using namespace SphericalStyle;
   const Points& P = this->Surface.Mesh.P;
@@ -243,7 +243,7 @@ void vtkSurfaceMetrics::Internals::MeasureQuality(const MeshEdges& edges) const
   this->AddPointArray("Opposition", opposition.share);
 }
 
-void vtkSurfaceMetrics::Internals::MeasureCondition(
+void vtkSurfaceMetrics::Measurement::MeasureCondition(
   const SphericalStyle::MeshTopology& topology) const
 {
   const SphericalStyle::HalfEdgeScalars k =
@@ -262,7 +262,7 @@ void vtkSurfaceMetrics::Internals::MeasureCondition(
   }
 }
 
-Pairs vtkSurfaceMetrics::Internals::MeasureSelfIntersections() const
+Pairs vtkSurfaceMetrics::Measurement::MeasureSelfIntersections() const
 {
   Pairs pairs;
 #ifdef SPHERICALSTYLE_WITH_CGAL
@@ -288,7 +288,7 @@ Pairs vtkSurfaceMetrics::Internals::MeasureSelfIntersections() const
   return pairs;
 }
 
-void vtkSurfaceMetrics::Internals::MeasureAreaRatios(const vtkSurfacePair& pair) const
+void vtkSurfaceMetrics::Measurement::MeasureAreaRatios(const vtkSurfacePair& pair) const
 {
   const Triangles& F = pair.Rest.F;
   const Eigen::VectorXd before = SphericalStyle::TriangleAreas(pair.Rest.P, F);
@@ -318,7 +318,8 @@ void vtkSurfaceMetrics::Internals::MeasureAreaRatios(const vtkSurfacePair& pair)
       Eigen::Map<Eigen::VectorXd>(ratios.data(), static_cast<Eigen::Index>(ratios.size()))));
 }
 
-void vtkSurfaceMetrics::Internals::MeasureDeformation(const vtkSurfacePair& pair, bool closed) const
+void vtkSurfaceMetrics::Measurement::MeasureDeformation(
+  const vtkSurfacePair& pair, bool closed) const
 {
   using namespace SphericalStyle;
   const TriangleMesh& now = this->Surface.Mesh;
@@ -347,7 +348,7 @@ void vtkSurfaceMetrics::Internals::MeasureDeformation(const vtkSurfacePair& pair
   this->AddNumber("LargestDisplacement", (pair.Deformed - pair.Rest.P).rowwise().norm().maxCoeff());
 }
 
-void vtkSurfaceMetrics::Internals::MeasureThicknessRatios(const vtkSurfacePair& pair) const
+void vtkSurfaceMetrics::Measurement::MeasureThicknessRatios(const vtkSurfacePair& pair) const
 {
   std::vector<int> points(pair.Rest.P.rows());
   std::iota(points.begin(), points.end(), 0);
@@ -373,7 +374,7 @@ void vtkSurfaceMetrics::Internals::MeasureThicknessRatios(const vtkSurfacePair& 
         : None);
 }
 
-void vtkSurfaceMetrics::Internals::MeasureNewSelfIntersections(
+void vtkSurfaceMetrics::Measurement::MeasureNewSelfIntersections(
   const vtkSurfacePair& pair, const Pairs& now) const
 {
 #ifdef SPHERICALSTYLE_WITH_CGAL
@@ -394,7 +395,7 @@ void vtkSurfaceMetrics::Internals::MeasureNewSelfIntersections(
 #endif
 }
 
-void vtkSurfaceMetrics::Internals::Measure(vtkPolyData* reference) const
+void vtkSurfaceMetrics::Measurement::Measure(vtkPolyData* reference) const
 {
   const SphericalStyle::TriangleMesh& mesh = this->Surface.Mesh;
   vtkSurfacePair pair; // first, since it may be refused
@@ -501,7 +502,7 @@ int vtkSurfaceMetrics::Execute(
   output->ShallowCopy(input);
   if (surface.Mesh.F.rows() > 0)
   {
-    Internals{ this, surface, output, table }.Measure(reference);
+    Measurement{ this, surface, output, table }.Measure(reference);
   }
   if (Aborted(this)) // half of the measures are none
   {
@@ -511,13 +512,9 @@ int vtkSurfaceMetrics::Execute(
   }
   if (surface.Mesh.F.rows() == 0)
   {
-    vtkWarningMacro(<< InBlock(this)
-                    << "the input has no triangle with an area: there is nothing to measure");
+    Warn(this, "the input has no triangle with an area: there is nothing to measure");
   }
-  if (const std::string fanned = vtkSurfaceMeshConversion::FannedRemark(surface); !fanned.empty())
-  {
-    vtkWarningMacro(<< InBlock(this) << fanned);
-  }
+  Warn(this, vtkSurfaceMeshConversion::FannedRemark(surface));
   return 1;
 }
 

@@ -180,7 +180,7 @@ private:
   double Roundness = 0.5;
   bool WeldCoincidentPoints = true;
 
-  struct Internals; // one execution
+  struct Measurement; // one execution
 };
 
 #endif

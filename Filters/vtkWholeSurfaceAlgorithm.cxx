@@ -34,6 +34,8 @@ vtkCxxSetObjectMacro(vtkWholeSurfaceAlgorithm, Controller, vtkMultiProcessContro
 
 namespace
 {
+using Pieces = std::vector<vtkSmartPointer<vtkPolyData>>;
+
 /// What a port has, on some process; the greatest counts.
 enum Contents
 {
@@ -160,37 +162,40 @@ private:
   std::vector<vtkSmartPointer<vtkInformationVector>> Owned;
   std::vector<vtkInformationVector*> Vectors;
 };
+
+/// Puts the wholes, and the marks as a selection, in the place of the parts. @return the model
+vtkSmartPointer<vtkPolyData> Assemble(const std::vector<int>& contents, const Pieces& pieces,
+  std::vector<vtkDistributedSurface>& surfaces, Inputs& inputs)
+{
+  vtkSmartPointer<vtkPolyData> model;
+  for (std::size_t p = 0; p < surfaces.size(); ++p)
+  {
+    const int port = static_cast<int>(p);
+    if (pieces[p])
+    {
+      const vtkSmartPointer<vtkPolyData> whole = surfaces[p].Assemble();
+      inputs.Set(port, whole);
+      model = p == 0 ? whole : model;
+    }
+    else if (contents[p] == SELECTION)
+    {
+      inputs.Set(port, TakeMarks(model));
+    }
+  }
+  return model;
+}
 }
 
-//------------------------------------------------------------------------------------------------
 struct vtkWholeSurfaceAlgorithm::Internals
 {
   std::vector<int> Contents; // by port, agreed on
   bool Gathers = false;      // whether this execution does
 
   int Depth = 0; // of executions: one of composite data has one per block in it
-
-  /// The pipeline tells the start and the end of each execution.
-  static void NoteDepth(vtkObject* caller, unsigned long event, void*, void*);
-  /// Once per execution, before the first block: all processes come here, whatever they have.
-  void Agree(vtkWholeSurfaceAlgorithm* self);
-
-  /// What goes to the first process. @throw std::invalid_argument
-  struct Parts
-  {
-    std::vector<vtkSmartPointer<vtkPolyData>> Surfaces; // by port; nullptr for none to gather
-  };
-  Parts Prepare(vtkWholeSurfaceAlgorithm* self, vtkInformationVector** inputs) const;
-  /// Prepare on all processes. @return whether none has failed
-  bool PrepareAll(
-    vtkWholeSurfaceAlgorithm* self, vtkInformationVector** inputs, Parts& parts) const;
-  /// Puts the wholes, and the marks as a selection, in the place of the parts. @return the model
-  vtkSmartPointer<vtkPolyData> Assemble(
-    const Parts& parts, std::vector<vtkDistributedSurface>& surfaces, Inputs& inputs) const;
 };
 
-void vtkWholeSurfaceAlgorithm::Internals::NoteDepth(
-  vtkObject* caller, unsigned long event, void*, void*)
+//------------------------------------------------------------------------------------------------
+void vtkWholeSurfaceAlgorithm::NoteDepth(vtkObject* caller, unsigned long event, void*, void*)
 {
   auto* self = static_cast<vtkWholeSurfaceAlgorithm*>(caller);
   int& depth = self->Internal->Depth;
@@ -200,24 +205,25 @@ void vtkWholeSurfaceAlgorithm::Internals::NoteDepth(
   }
   else if (depth++ == 0)
   {
-    self->Internal->Agree(self);
+    self->Agree();
   }
 }
 
-void vtkWholeSurfaceAlgorithm::Internals::Agree(vtkWholeSurfaceAlgorithm* self)
+void vtkWholeSurfaceAlgorithm::Agree()
 {
-  this->Gathers = false;
-  vtkMultiProcessController* controller = self->Controller;
+  Internals& agreed = *this->Internal;
+  agreed.Gathers = false;
+  vtkMultiProcessController* controller = this->Controller;
   if (!controller || controller->GetNumberOfProcesses() < 2)
   {
     return;
   }
-  const int ports = self->GetNumberOfInputPorts();
+  const int ports = this->GetNumberOfInputPorts();
   std::vector<int> own(ports, NOTHING_TO_GATHER);
   for (int p = 0; p < ports; ++p)
   {
     vtkDataObject* data =
-      self->GetNumberOfInputConnections(p) > 0 ? self->GetInputDataObject(p, 0) : nullptr;
+      this->GetNumberOfInputConnections(p) > 0 ? this->GetInputDataObject(p, 0) : nullptr;
     auto* points = vtkPointSet::SafeDownCast(data);
     if (vtkCompositeDataSet::SafeDownCast(data))
     {
@@ -232,38 +238,39 @@ void vtkWholeSurfaceAlgorithm::Internals::Agree(vtkWholeSurfaceAlgorithm* self)
       own[p] = POINTS_ELSEWHERE;
     }
   }
-  this->Contents.resize(ports);
-  controller->AllReduce(own.data(), this->Contents.data(), ports, vtkCommunicator::MAX_OP);
-  const auto has = [this](int what)
-  { return std::count(this->Contents.begin(), this->Contents.end(), what) > 0; };
-  this->Gathers = has(POINTS_ELSEWHERE) && !has(COMPOSITE);
+  agreed.Contents.resize(ports);
+  controller->AllReduce(own.data(), agreed.Contents.data(), ports, vtkCommunicator::MAX_OP);
+  const auto has = [&agreed](int what)
+  { return std::count(agreed.Contents.begin(), agreed.Contents.end(), what) > 0; };
+  agreed.Gathers = has(POINTS_ELSEWHERE) && !has(COMPOSITE);
 }
 
-vtkWholeSurfaceAlgorithm::Internals::Parts vtkWholeSurfaceAlgorithm::Internals::Prepare(
-  vtkWholeSurfaceAlgorithm* self, vtkInformationVector** inputs) const
+std::vector<vtkSmartPointer<vtkPolyData>> vtkWholeSurfaceAlgorithm::Prepare(
+  vtkInformationVector** inputs)
 {
-  Parts parts;
-  for (std::size_t p = 0; p < this->Contents.size(); ++p)
+  const std::vector<int>& contents = this->Internal->Contents;
+  Pieces pieces;
+  for (std::size_t p = 0; p < contents.size(); ++p)
   {
     // The model always, so that the first process gives the others theirs back.
-    const bool gathered = p == 0 || this->Contents[p] == POINTS_ELSEWHERE;
-    parts.Surfaces.push_back(gathered ? Surface(inputs[p]) : nullptr);
+    const bool gathered = p == 0 || contents[p] == POINTS_ELSEWHERE;
+    pieces.push_back(gathered ? Surface(inputs[p]) : nullptr);
     if (gathered)
     {
-      vtkSurfaceMeshConversion::CheckPiece(parts.Surfaces[p]);
+      vtkSurfaceMeshConversion::CheckPiece(pieces[p]);
     }
   }
-  vtkPolyData* model = parts.Surfaces[0];
-  for (std::size_t p = 0; p < this->Contents.size(); ++p)
+  vtkPolyData* model = pieces[0];
+  for (std::size_t p = 0; p < contents.size(); ++p)
   {
     vtkSelection* selection = vtkSelection::GetData(inputs[p], 0);
-    if (this->Contents[p] == SELECTION && model->GetNumberOfPoints() > 0)
+    if (contents[p] == SELECTION && model->GetNumberOfPoints() > 0)
     {
       std::vector<char> selected(model->GetNumberOfPoints(), 0);
       if (selection)
       {
         selected = vtkSurfaceRegion::SelectedPoints(
-          self, model, SelectionOf(selection, self->Controller->GetLocalProcessId()));
+          this, model, SelectionOf(selection, this->Controller->GetLocalProcessId()));
       }
       vtkNew<vtkCharArray> marks;
       marks->SetName(vtkDistributedSurface::MarksName);
@@ -272,47 +279,25 @@ vtkWholeSurfaceAlgorithm::Internals::Parts vtkWholeSurfaceAlgorithm::Internals::
       model->GetPointData()->AddArray(marks);
     }
   }
-  return parts;
+  return pieces;
 }
 
-bool vtkWholeSurfaceAlgorithm::Internals::PrepareAll(
-  vtkWholeSurfaceAlgorithm* self, vtkInformationVector** inputs, Parts& parts) const
+bool vtkWholeSurfaceAlgorithm::PrepareAll(
+  vtkInformationVector** inputs, std::vector<vtkSmartPointer<vtkPolyData>>& pieces)
 {
-  int good = IsSurface(self, inputs[0]);
+  int good = IsSurface(this, inputs[0]);
   try
   {
-    parts = this->Prepare(self, inputs);
+    pieces = this->Prepare(inputs);
   }
   catch (const std::exception& error)
   {
-    vtkErrorWithObjectMacro(
-      self, << "process " << self->Controller->GetLocalProcessId() << ": " << error.what());
+    vtkErrorMacro(<< "process " << this->Controller->GetLocalProcessId() << ": " << error.what());
     good = 0;
   }
   int all = 0;
-  self->Controller->AllReduce(&good, &all, 1, vtkCommunicator::MIN_OP);
+  this->Controller->AllReduce(&good, &all, 1, vtkCommunicator::MIN_OP);
   return all != 0;
-}
-
-vtkSmartPointer<vtkPolyData> vtkWholeSurfaceAlgorithm::Internals::Assemble(
-  const Parts& parts, std::vector<vtkDistributedSurface>& surfaces, Inputs& inputs) const
-{
-  vtkSmartPointer<vtkPolyData> model;
-  for (std::size_t p = 0; p < surfaces.size(); ++p)
-  {
-    const int port = static_cast<int>(p);
-    if (parts.Surfaces[p])
-    {
-      const vtkSmartPointer<vtkPolyData> whole = surfaces[p].Assemble();
-      inputs.Set(port, whole);
-      model = p == 0 ? whole : model;
-    }
-    else if (this->Contents[p] == SELECTION)
-    {
-      inputs.Set(port, TakeMarks(model));
-    }
-  }
-  return model;
 }
 
 //------------------------------------------------------------------------------------------------
@@ -322,7 +307,7 @@ vtkWholeSurfaceAlgorithm::vtkWholeSurfaceAlgorithm()
   this->vtkWholeSurfaceAlgorithm::SetController(vtkMultiProcessController::GetGlobalController());
   NoteBlocks(this);
   vtkNew<vtkCallbackCommand> note;
-  note->SetCallback(Internals::NoteDepth);
+  note->SetCallback(vtkWholeSurfaceAlgorithm::NoteDepth);
   this->AddObserver(vtkCommand::StartEvent, note);
   this->AddObserver(vtkCommand::EndEvent, note);
 }
@@ -340,19 +325,19 @@ int vtkWholeSurfaceAlgorithm::RequestData(
   {
     return this->RequestWholeData(request, inputVector, outputVector);
   }
-  Internals::Parts parts;
-  if (!this->Internal->PrepareAll(this, inputVector, parts))
+  Pieces pieces;
+  if (!this->PrepareAll(inputVector, pieces))
   {
     return 0;
   }
   this->SetProgressText("Gathering");
   std::vector<vtkDistributedSurface> surfaces(
-    parts.Surfaces.size(), vtkDistributedSurface(this->Controller));
+    pieces.size(), vtkDistributedSurface(this->Controller));
   for (std::size_t p = 0; p < surfaces.size(); ++p)
   {
-    if (parts.Surfaces[p])
+    if (pieces[p])
     {
-      surfaces[p].Gather(parts.Surfaces[p]);
+      surfaces[p].Gather(pieces[p]);
     }
   }
 
@@ -361,7 +346,7 @@ int vtkWholeSurfaceAlgorithm::RequestData(
   try
   {
     Inputs inputs(inputVector, this->GetNumberOfInputPorts());
-    whole = this->Internal->Assemble(parts, surfaces, inputs);
+    whole = Assemble(this->Internal->Contents, pieces, surfaces, inputs);
     if (this->RequestWholeData(request, inputs.Get(), outputVector))
     {
       outcome = SameSize(vtkPolyData::GetData(outputVector, 0), whole) ? GIVE_BACK : STAYS;
@@ -374,11 +359,11 @@ int vtkWholeSurfaceAlgorithm::RequestData(
   this->Controller->Broadcast(&outcome, 1, 0);
   if (outcome == GIVE_BACK)
   {
-    parts.Surfaces[0]->GetPointData()->RemoveArray(vtkDistributedSurface::MarksName);
+    pieces[0]->GetPointData()->RemoveArray(vtkDistributedSurface::MarksName);
     vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
     vtkNew<vtkPolyData> result;
     result->ShallowCopy(output);
-    surfaces[0].GiveBack(whole, result, parts.Surfaces[0], output);
+    surfaces[0].GiveBack(whole, result, pieces[0], output);
     if (this->Controller->GetLocalProcessId() == 0)
     {
       output->SetFieldData(result->GetFieldData()); // facts of the whole

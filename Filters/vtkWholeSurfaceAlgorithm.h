@@ -34,8 +34,10 @@
 
 #include "SphericalStyleFiltersModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for vtkSmartPointer
 
 #include <memory> // for std::unique_ptr
+#include <vector> // for std::vector
 
 class vtkMultiProcessController;
 
@@ -69,7 +71,17 @@ private:
   vtkWholeSurfaceAlgorithm(const vtkWholeSurfaceAlgorithm&) = delete;
   void operator=(const vtkWholeSurfaceAlgorithm&) = delete;
 
-  struct Internals;
+  /// The pipeline tells the start and the end of each execution.
+  static void NoteDepth(vtkObject* caller, unsigned long event, void*, void*);
+  /// Once per execution, before the first block: all processes come here, whatever they have.
+  void Agree();
+  /// What goes to the first process, by port, nullptr for none to gather.
+  /// @throw std::invalid_argument
+  std::vector<vtkSmartPointer<vtkPolyData>> Prepare(vtkInformationVector** inputs);
+  /// Prepare on all processes. @return whether none has failed
+  bool PrepareAll(vtkInformationVector** inputs, std::vector<vtkSmartPointer<vtkPolyData>>& pieces);
+
+  struct Internals; // what the processes agree on
   std::unique_ptr<Internals> Internal;
 };
 

@@ -129,6 +129,14 @@ std::string InBlock(vtkAlgorithm* self)
   return path.empty() ? "" : "block \"" + path + "\": ";
 }
 
+void Warn(vtkAlgorithm* self, const std::string& text)
+{
+  if (!text.empty())
+  {
+    vtkWarningWithObjectMacro(self, << InBlock(self) << text);
+  }
+}
+
 vtkSmartPointer<vtkDataObject> InTree(vtkAlgorithm* self, vtkDataObject* surface)
 {
   vtkDataObjectTree* tree = Tree(self);

@@ -39,6 +39,9 @@ void NoteBlocks(vtkAlgorithm* self);
 /// its messages begin. A block without a name has its number, from 0, among its parent's.
 std::string InBlock(vtkAlgorithm* self);
 
+/// A warning of the filter, with InBlock before it; nothing for an empty text.
+void Warn(vtkAlgorithm* self, const std::string& text);
+
 /// The composite data that the filter runs over, with `surface` in the place of the block and
 /// nothing elsewhere, so that what names blocks finds it; `surface` itself where there is none.
 vtkSmartPointer<vtkDataObject> InTree(vtkAlgorithm* self, vtkDataObject* surface);

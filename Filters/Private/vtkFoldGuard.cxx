@@ -90,6 +90,14 @@ Result Solve(SphericalStyleMethod& solver, const MethodOptions& wanted,
   return result;
 }
 
+std::string Remark(const Result& result)
+{
+  return result.Guard.blended
+    ? "AvoidSelfIntersections: less roundness alone did not remove all folds; the result was "
+      "moved back toward the input where they were, or all over"
+    : "";
+}
+
 void Fill(vtkTable* table, const Result& result)
 {
   if (!result.HasCounted())

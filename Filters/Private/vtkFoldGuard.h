@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 class vtkTable;
 
@@ -36,6 +37,9 @@ Result Solve(SphericalStyle::SphericalStyleMethod& solver,
   const SphericalStyle::MethodOptions& wanted,
   const std::shared_ptr<const SphericalStyle::TriangleMesh>& rest, bool singlePrecision,
   const Finish& finish, const SphericalStyle::Callback& callback);
+
+/// The warning where less roundness alone was not enough; else empty.
+std::string Remark(const Result& result);
 
 /// What it did, as field data; nothing where it has not counted.
 void Fill(vtkTable* table, const Result& result);

@@ -67,6 +67,14 @@ void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char
   }
 }
 
+void AddAdvice(vtkTable* table, const char* advice)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName("Advice");
+  array->InsertNextValue(advice);
+  table->GetFieldData()->AddArray(array);
+}
+
 std::vector<std::string> Remarks(const SphericalStyle::StyleReport& report)
 {
   std::vector<std::string> remarks;

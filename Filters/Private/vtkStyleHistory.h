@@ -19,6 +19,9 @@ namespace vtkStyleHistory
 /// @param secondTerm  name of the column of the term beside the rigid one
 void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char* secondTerm);
 
+/// The advice as field data.
+void AddAdvice(vtkTable* table, const char* advice);
+
 /// The warnings of an iteration: a loop that ended without meeting its stop rule, and solves of the
 /// global step that ended before their solution.
 std::vector<std::string> Remarks(const SphericalStyle::StyleReport& report);

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkStyleReview.h"
 
+#include "SurfaceGrid.h"
 #include "vtkFilterSupport.h"
+#include "vtkStyleHistory.h"
+#include "vtkTargetSphere.h"
 
 #include <cmath>
-#include <vector>
+#include <sstream>
+#include <utility>
 
 using namespace SphericalStyle;
 
@@ -45,26 +49,61 @@ bool CannotThin(const MethodOptions& o, const StyleReport& report)
 }
 }
 
-void vtkStyleReview::SetMesh(const TriangleMesh& mesh, int components, int generation)
+std::vector<std::string> vtkStyleReview::Warnings(const vtkSurfaceMesh& surface,
+  const MethodOptions& o, const StyleReport& report, const Request& request)
 {
-  if (generation != this->Generation)
+  std::vector<std::string> warnings = vtkSurfaceMeshConversion::Remarks(surface);
+  if (o.radiusMode == RadiusMode::EqualVolume && report.spheres.size() == 1)
   {
-    this->Facts = MeasureSurface(mesh, components);
-    this->HasProbes = false;
-    this->Generation = generation;
+    warnings.push_back(vtkTargetSphere::VolumeRemark("the surface", surface.Mesh));
   }
+  if (!report.pointsOnCenter.empty())
+  {
+    warnings.push_back(vtkTargetSphere::OnCenter(report.pointsOnCenter, surface));
+  }
+  if (request.CellEnergy && report.closedForm)
+  {
+    warnings.emplace_back(
+      "GenerateCellEnergy: the result is in closed form, no energy was minimized, and there is "
+      "no array CellEnergy; SphericalWeighting Uniform minimizes one");
+  }
+  if (report.coarserGrid)
+  {
+    std::ostringstream text;
+    text << "DetailSize " << o.detailSize
+         << " is too small for the area of this model: the base is as smooth as with DetailSize "
+         << SurfaceGrid::SpacingsPerSize * report.gridSpacing
+         << "; take that or more, or details smaller than it count as base";
+    warnings.push_back(text.str());
+  }
+  if (!report.hasMinimum)
+  {
+    warnings.push_back(
+      "the system matrix is not positive definite: with full-edge weights the energy of this "
+      "surface has no minimum, and iterations lead away from it without end; take EdgeWeighting "
+      "HalfEdge" +
+      std::string(request.Thesis ? " without ReproduceThesis" : ""));
+  }
+  else if (surface.Mesh.F.rows() > 0)
+  {
+    for (std::string& remark : vtkStyleHistory::Remarks(report))
+    {
+      warnings.push_back(std::move(remark));
+    }
+  }
+  return warnings;
 }
 
-std::string vtkStyleReview::LookAtThickness(
-  const vtkSurfaceMesh& surface, const Points& Q, int threads)
+std::string vtkStyleReview::ThinnedParts(
+  const vtkSurfaceMesh& surface, int generation, const Points& Q, int threads)
 {
-  if (!this->HasProbes)
-  {
-    this->Probes = PlaceThicknessProbes(
-      surface.Mesh, EveryFew(static_cast<int>(surface.Mesh.P.rows())), threads);
-    this->HasProbes = true;
-  }
-  const Eigen::VectorXd ratios = ThicknessRatios(surface.Mesh, Q, this->Probes);
+  this->Probes.Update(generation,
+    [&](ThicknessProbes& probes)
+    {
+      probes = PlaceThicknessProbes(
+        surface.Mesh, EveryFew(static_cast<int>(surface.Mesh.P.rows())), threads);
+    });
+  const Eigen::VectorXd ratios = ThicknessRatios(surface.Mesh, Q, this->Probes.Get());
   const auto thinned = (ratios.array() < ThinnedBelow).count();
   if (thinned == 0)
   {
@@ -78,19 +117,21 @@ std::string vtkStyleReview::LookAtThickness(
   return "less than a tenth of the thickness is left at " +
     vtkFilterSupport::Count(thinned, "point") + " of " + std::to_string(ratios.size()) +
     " looked at, the first is point " +
-    std::to_string(surface.FirstInputPoint(this->Probes.points[first])) +
+    std::to_string(surface.FirstInputPoint(this->Probes->points[first])) +
     "; a lower Roundness or a larger DetailSize leaves more";
 }
 
-vtkStyleReview::Remarks vtkStyleReview::Look(const vtkSurfaceMesh& surface, int generation,
+vtkStyleReview::Remarks vtkStyleReview::Review(const vtkSurfaceMesh& surface, int generation,
   const Points& Q, const MethodOptions& o, const StyleReport& report)
 {
-  this->SetMesh(surface.Mesh, report.components, generation);
+  this->Facts.Update(generation,
+    [&](SurfaceFacts& facts) { facts = MeasureSurface(surface.Mesh, report.components); });
   Remarks remarks;
   if (!CannotThin(o, report))
   {
-    remarks.Thinned = this->LookAtThickness(surface, Q, o.threads);
+    remarks.Thinned = this->ThinnedParts(surface, generation, Q, o.threads);
   }
-  remarks.Advice = Advise(o, this->Facts, MeasureResult(surface.Mesh, Q, o, report), WithCgal);
+  remarks.Advice =
+    Advise(o, this->Facts.Get(), MeasureResult(surface.Mesh, Q, o, report), WithCgal);
   return remarks;
 }

@@ -9,15 +9,30 @@
 #include "vtkSurfaceMeshConversion.h"
 
 #include "Advice.h"
+#include "Stage.h"
 #include "Thickness.h"
 
 #include <string>
+#include <vector>
 
 /// Keeps what depends on the mesh alone, so that a review of the next result of the same mesh is a
 /// few passes over its triangles.
 class vtkStyleReview
 {
 public:
+  /// What a solve was asked for that its options do not say.
+  struct Request
+  {
+    bool Thesis = false;     ///< ReproduceThesis
+    bool CellEnergy = false; ///< GenerateCellEnergy
+  };
+
+  /// What there is to warn of without looking at the result: input, target spheres, the iteration.
+  /// @param o, report  of the solve; of an empty mesh those that were made for it
+  static std::vector<std::string> Warnings(const vtkSurfaceMesh& surface,
+    const SphericalStyle::MethodOptions& o, const SphericalStyle::StyleReport& report,
+    const Request& request);
+
   struct Remarks
   {
     std::string Thinned; ///< a warning, empty where all parts keep their thickness
@@ -26,18 +41,16 @@ public:
 
   /// @param generation  another one for another mesh: SphericalStyleMethod::GetMeshGeneration
   /// @param Q  points of the result @param o, report  those of the solve that led there
-  Remarks Look(const vtkSurfaceMesh& surface, int generation, const SphericalStyle::Points& Q,
+  Remarks Review(const vtkSurfaceMesh& surface, int generation, const SphericalStyle::Points& Q,
     const SphericalStyle::MethodOptions& o, const SphericalStyle::StyleReport& report);
 
 private:
-  void SetMesh(const SphericalStyle::TriangleMesh& mesh, int components, int generation);
-  std::string LookAtThickness(
-    const vtkSurfaceMesh& surface, const SphericalStyle::Points& Q, int threads);
+  std::string ThinnedParts(
+    const vtkSurfaceMesh& surface, int generation, const SphericalStyle::Points& Q, int threads);
 
-  int Generation = -1; // of the mesh that the rest is of
-  SphericalStyle::SurfaceFacts Facts;
-  bool HasProbes = false;
-  SphericalStyle::ThicknessProbes Probes;
+  // Keys: the generation of the mesh.
+  SphericalStyle::Stage<int, SphericalStyle::SurfaceFacts> Facts;
+  SphericalStyle::Stage<int, SphericalStyle::ThicknessProbes> Probes;
 };
 
 #endif

@@ -689,7 +689,8 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
   return surface;
 }
 
-bool Update(vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>& surface)
+bool Update(
+  vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>& surface, TakePoints take)
 {
   const bool plain = surface && surface->DegenerateTriangles == 0 && surface->FannedPolygons == 0;
   if (plain && surface->Welded == weld && HasTriangles(input, *surface) &&
@@ -700,7 +701,7 @@ bool Update(vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>
     return false;
   }
   surface.reset(); // nothing of the old one is kept should the next line throw
-  surface = std::make_shared<const vtkSurfaceMesh>(FromPolyData(input, weld));
+  surface = std::make_shared<const vtkSurfaceMesh>(FromPolyData(input, weld, take));
   return true;
 }
 

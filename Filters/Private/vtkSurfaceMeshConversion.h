@@ -65,8 +65,10 @@ vtkSurfaceMesh FromPolyData(
 /// Makes `surface`, the result of an earlier call or nullptr, that of the input: a few passes over
 /// the arrays where the input is triangles and nothing has changed, another FromPolyData otherwise.
 /// Contents are compared, not times: arrays may have been written to in place.
+/// @param take  the same in all calls for this surface
 /// @return whether it was made anew @throw see FromPolyData; `surface` is nullptr then
-bool Update(vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>& surface);
+bool Update(vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>& surface,
+  TakePoints take = TakePoints::OfTriangles);
 
 /// What FromPolyData refuses, and arrays of another number of tuples than points or cells.
 /// @param piece  of a surface that is going to be put together

@@ -6,7 +6,6 @@
 #include "vtkFilterSupport.h"
 #include "vtkSurfaceMeshConversion.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -85,15 +84,14 @@ std::string vtkTargetSphere::OnCenter(const std::vector<int>& points, const vtkS
     "; the mean of the neighbors' directions is taken";
 }
 
-void vtkTargetSphere::WarnOfVolume(
-  vtkAlgorithm* self, const char* what, const SphericalStyle::TriangleMesh& mesh)
+std::string vtkTargetSphere::VolumeRemark(
+  const char* what, const SphericalStyle::TriangleMesh& mesh)
 {
-  if (SphericalStyle::VolumeAmbiguity(mesh.P, mesh.F) >= LargestAmbiguity)
+  if (SphericalStyle::VolumeAmbiguity(mesh.P, mesh.F) < LargestAmbiguity)
   {
-    vtkWarningWithObjectMacro(
-      self, << vtkFilterSupport::InBlock(self) << "RadiusMode EqualVolume: " << what
-            << " is open, or its triangles do not all face the same way; the "
-               "volume of the cones from the mean point is taken. EqualArea "
-               "needs no volume");
+    return {};
   }
+  return std::string("RadiusMode EqualVolume: ") + what +
+    " is open, or its triangles do not all face the same way; the volume of the cones from the "
+    "mean point is taken. EqualArea needs no volume";
 }

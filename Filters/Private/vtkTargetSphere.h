@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-class vtkAlgorithm;
 class vtkPolyData;
 struct vtkSurfaceMesh;
 
@@ -30,9 +29,9 @@ bool Encloses(const SphericalStyle::TriangleMesh& mesh, const Eigen::Vector3d& p
 /// @param points  of the mesh, at least one
 std::string OnCenter(const std::vector<int>& points, const vtkSurfaceMesh& surface);
 
-/// For RadiusMode EqualVolume: a warning where the mesh has no volume of its own, but for holes
-/// that change it by less than a hundredth. O(m). @param what  the mesh, in words
-void WarnOfVolume(vtkAlgorithm* self, const char* what, const SphericalStyle::TriangleMesh& mesh);
+/// For RadiusMode EqualVolume: the warning where the mesh has no volume of its own, but for holes
+/// that change it by less than a hundredth; else empty. O(m). @param what  the mesh, in words
+std::string VolumeRemark(const char* what, const SphericalStyle::TriangleMesh& mesh);
 }
 
 #endif

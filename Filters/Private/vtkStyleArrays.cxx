@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkStyleArrays.h"
+
+#include "vtkSurfaceMeshConversion.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+#include <limits>
+
+namespace Conversion = vtkSurfaceMeshConversion;
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr Conversion::ArrayRule Rules[] = {
+  // from ROUNDNESS_FACTOR on
+  { "Roundness factor", 1, 0.0, Infinity },
+  { "Normal blend", 1, 0.0, 1.0 },
+  { "Target directions", 3, -Infinity, Infinity },
+};
+}
+
+namespace vtkStyleArrays
+{
+void SetDefaults(vtkAlgorithm* self)
+{
+  self->SetInputArrayToProcess(
+    NORMALS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::NORMALS);
+  for (const int index :
+    { ROUNDNESS_FACTOR, NORMAL_BLEND, TARGET_DIRECTIONS, REGION_MASK, CENTER_ID })
+  {
+    self->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
+  }
+}
+
+void Read(vtkAlgorithm* self, const vtkSurfaceMesh& surface, vtkPolyData* model,
+  vtkPointSet* centers, SphericalStyle::MethodOptions& o)
+{
+  const auto gather = [&](int index)
+  {
+    return Conversion::GatherPointArray(
+      self->GetInputArrayInformation(index), model, surface, Rules[index - ROUNDNESS_FACTOR]);
+  };
+  o.roundnessFactors = gather(ROUNDNESS_FACTOR).col(0);
+  o.normalBlends = gather(NORMAL_BLEND).col(0);
+  o.targets = gather(TARGET_DIRECTIONS);
+  const bool useNormals =
+    o.normalBlend > 0.0 || (o.normalBlends.size() > 0 && o.normalBlends.maxCoeff() > 0.0);
+  if (useNormals && o.targets.rows() == 0)
+  {
+    o.normals = Conversion::GatherNormals(self->GetInputArrayInformation(NORMALS), model, surface);
+  }
+  const vtkCenterIds ids = CenterIds(self, surface, model);
+  o.centerIds = ids.OfPoints;
+  if (centers)
+  {
+    o.centers = ids.Centers(centers);
+  }
+}
+
+void Hold(
+  const std::vector<char>& region, const vtkSurfaceMesh& surface, SphericalStyle::MethodOptions& o)
+{
+  for (std::size_t i = 0; i < region.size(); ++i)
+  {
+    if (!region[i])
+    {
+      o.fixedPoints.push_back(static_cast<int>(i));
+    }
+  }
+  o.fixedPositions = surface.Mesh.P(o.fixedPoints, Eigen::all);
+}
+
+vtkCenterIds CenterIds(vtkAlgorithm* self, const vtkSurfaceMesh& surface, vtkPolyData* model)
+{
+  return vtkCenterIds::Find(self->GetInputArrayInformation(CENTER_ID), surface, model);
+}
+}

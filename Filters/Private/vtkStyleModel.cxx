@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkStyleModel.h"
+
+#include "Advice.h" // for LongEdgeShare
+#include "vtkSurfaceRegion.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkPolyData.h"
+#include "vtkSelection.h"
+
+namespace Conversion = vtkSurfaceMeshConversion;
+
+vtkStyleModel::Solved vtkStyleModel::Update(vtkAlgorithm* self, vtkPolyData* input,
+  vtkSelection* selection, bool weld, const Refinement& refinement)
+{
+  if (Conversion::Update(input, weld, this->Surface, this->Take))
+  {
+    this->LongEdgeShare = SphericalStyle::LongEdgeShare(this->Surface->Mesh);
+  }
+  if (!vtkLongEdges::IsWanted(refinement.When, this->LongEdgeShare))
+  {
+    return { input, selection, this->Surface };
+  }
+  self->SetProgressText("Refining");
+  self->UpdateProgress(0.01);
+  return this->Refine(self, input, selection, weld, refinement);
+}
+
+vtkStyleModel::Solved vtkStyleModel::Refine(vtkAlgorithm* self, vtkPolyData* input,
+  vtkSelection* selection, bool weld, const Refinement& refinement) const
+{
+  const auto find = [input](vtkInformation* wanted, const char* purpose)
+  { return wanted ? Conversion::FindPointArray(wanted, input, purpose) : nullptr; };
+  const vtkLongEdges::Refined refined =
+    vtkLongEdges::Split(input, *this->Surface, refinement.Length,
+      { find(refinement.Region, "Region"), find(refinement.CenterId, "Center id") });
+  Solved solved;
+  if (selection)
+  {
+    solved.Selection =
+      vtkLongEdges::Select(vtkSurfaceRegion::SelectedPoints(self, input, selection), refined);
+  }
+  solved.Model = refined.Surface;
+  const auto mesh =
+    std::make_shared<vtkSurfaceMesh>(Conversion::FromPolyData(solved.Model, weld, this->Take));
+  mesh->DegenerateTriangles = this->Surface->DegenerateTriangles;
+  mesh->FirstDegenerateCell = this->Surface->FirstDegenerateCell;
+  mesh->FannedPolygons = this->Surface->FannedPolygons;
+  mesh->FirstFannedPolygon = this->Surface->FirstFannedPolygon;
+  solved.Surface = mesh;
+  return solved;
+}
