@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -36,13 +35,6 @@ vtkStandardNewMacro(vtkConvexProxyDeformFilter);
 
 namespace
 {
-enum InputPorts
-{
-  MODEL = 0,
-  PROXY = 1,
-  SELECTION = 2
-};
-
 enum InputArrays
 {
   NORMALS = 0,
@@ -50,8 +42,6 @@ enum InputArrays
   BLEND_ARRAY = 2,
   REGION_MASK = 3
 };
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// With RefineLongEdges, fraction of the diagonal: that of vtkSphericalStyleFilter.
 constexpr double LongestEdge = 0.04;
@@ -277,19 +267,20 @@ ProxyDeformationOptions vtkConvexProxyDeformFilter::MakeOptions() const
 void vtkConvexProxyDeformFilter::TakeArrays(
   const vtkSurfaceMesh& surface, vtkPolyData* model, ProxyDeformationOptions& o)
 {
-  const auto gather = [&](int index, const vtkSurfaceMeshConversion::ArrayRule& rule)
+  namespace Conversion = vtkSurfaceMeshConversion;
+  const auto gather = [&](int index, const Conversion::ArrayRule& rule)
   {
-    return vtkSurfaceMeshConversion::GatherPointArray(
+    return Conversion::GatherPointArray(
       this->GetInputArrayInformation(index), model, surface, rule);
   };
   if (this->Projection == SMALLEST_ANGLE)
   {
-    o.normals =
-      gather(NORMALS, { "Normals", 3, -Infinity, Infinity, vtkDataSetAttributes::NORMALS });
+    o.normals = gather(NORMALS, Conversion::NormalsRule);
   }
   if (this->Projection == DIRECTION_ARRAY)
   {
-    o.directions = gather(DIRECTIONS, { "Directions", 3, -Infinity, Infinity });
+    o.directions =
+      gather(DIRECTIONS, { "Directions", 3, -Conversion::Infinity, Conversion::Infinity });
     if (o.directions.rows() == 0)
     {
       throw std::invalid_argument(

@@ -26,7 +26,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -42,10 +41,6 @@ constexpr int Longitudes = 360;
 constexpr int Latitudes = 180;
 constexpr double Origin[3] = { -179.5, -89.5, 0.0 }; // degrees, the middle of the first unit
 constexpr double Spacing[3] = { 1.0, 1.0, 1.0 };
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr vtkSurfaceMeshConversion::ArrayRule NormalsRule = { "Normals", 3, -Infinity, Infinity,
-  vtkDataSetAttributes::NORMALS };
 
 struct WeightedNormals
 {

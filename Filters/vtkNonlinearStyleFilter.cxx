@@ -4,6 +4,7 @@
 
 #include "NonlinearFeature.h"
 #include "vtkFilterSupport.h"
+#include "vtkStyleArrays.h"
 #include "vtkStyleHistory.h"
 #include "vtkSurfaceMeshConversion.h"
 #include "vtkTargetSphere.h"
@@ -16,7 +17,6 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <string>
 
@@ -27,14 +27,8 @@ vtkStandardNewMacro(vtkNonlinearStyleFilter);
 
 namespace
 {
-enum InputArrays
-{
-  NORMALS = 0,
-  ROUNDNESS_FACTOR = 1
-};
-
 constexpr vtkSurfaceMeshConversion::ArrayRule RoundnessFactor = { "Roundness factor", 1, 0.0,
-  std::numeric_limits<double>::infinity() };
+  vtkSurfaceMeshConversion::Infinity };
 }
 
 struct vtkNonlinearStyleFilter::Internals
@@ -46,9 +40,10 @@ struct vtkNonlinearStyleFilter::Internals
 vtkNonlinearStyleFilter::vtkNonlinearStyleFilter()
   : Internal(std::make_unique<Internals>())
 {
+  this->SetInputArrayToProcess(vtkStyleArrays::NORMALS, 0, 0,
+    vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::NORMALS);
   this->SetInputArrayToProcess(
-    NORMALS, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::NORMALS);
-  this->SetInputArrayToProcess(ROUNDNESS_FACTOR, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
+    vtkStyleArrays::ROUNDNESS_FACTOR, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
 }
 
 vtkNonlinearStyleFilter::~vtkNonlinearStyleFilter() = default;
@@ -94,10 +89,12 @@ int vtkNonlinearStyleFilter::Execute(
   o.centerConstraint = static_cast<SphericalStyle::CenterConstraint>(this->CenterConstraint);
   o.loop = this->MakeLoopOptions();
   o.threads = ThreadsToUse(this->NumberOfThreads);
-  o.normals = Conversion::GatherNormals(this->GetInputArrayInformation(NORMALS), input, surface);
-  o.roundnessFactors = Conversion::GatherPointArray(
-    this->GetInputArrayInformation(ROUNDNESS_FACTOR), input, surface, RoundnessFactor)
-                         .col(0);
+  o.normals = Conversion::GatherNormals(
+    this->GetInputArrayInformation(vtkStyleArrays::NORMALS), input, surface);
+  o.roundnessFactors =
+    Conversion::GatherPointArray(this->GetInputArrayInformation(vtkStyleArrays::ROUNDNESS_FACTOR),
+      input, surface, RoundnessFactor)
+      .col(0);
   const bool generateRotation = this->GenerateRotation; // an observer may change it meanwhile
   const bool solved = surface.Mesh.F.rows() > 0;
   if (solved)

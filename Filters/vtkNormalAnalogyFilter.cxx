@@ -26,12 +26,6 @@ vtkStandardNewMacro(vtkNormalAnalogyFilter);
 
 namespace
 {
-enum InputPorts
-{
-  MODEL = 0,
-  STYLE_MESH = 1
-};
-
 Points NormalsOfSolid(int solid)
 {
   vtkNew<vtkPlatonicSolidSource> source; // its solids have the numbers of our enumeration
@@ -111,17 +105,17 @@ vtkNormalAnalogyFilter::~vtkNormalAnalogyFilter() = default;
 
 void vtkNormalAnalogyFilter::SetStyleMeshConnection(vtkAlgorithmOutput* mesh)
 {
-  this->SetInputConnection(STYLE_MESH, mesh);
+  this->SetInputConnection(vtkFilterSupport::STYLE_MESH, mesh);
 }
 
 void vtkNormalAnalogyFilter::SetStyleMeshData(vtkPolyData* mesh)
 {
-  this->SetInputData(STYLE_MESH, mesh);
+  this->SetInputData(vtkFilterSupport::STYLE_MESH, mesh);
 }
 
 int vtkNormalAnalogyFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == STYLE_MESH)
+  if (port == vtkFilterSupport::STYLE_MESH)
   {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -143,7 +137,7 @@ std::shared_ptr<SphericalStyle::LocalTerm> vtkNormalAnalogyFilter::MakeTerm(
   vtkFilterSupport::Require(std::isfinite(this->Weight) && this->Weight >= 0.0, "Weight",
     "finite and 0 or more", this->Weight);
   const Points normals = this->Style == MESH
-    ? NormalsOfMesh(vtkPolyData::GetData(inputs[STYLE_MESH], 0))
+    ? NormalsOfMesh(vtkPolyData::GetData(inputs[vtkFilterSupport::STYLE_MESH], 0))
     : NormalsOfSolid(this->Style);
   this->NumberOfStyleNormals = static_cast<int>(normals.rows());
   return std::make_shared<SphericalStyle::NormalAnalogy>(ClosestNormal(normals), this->Weight);

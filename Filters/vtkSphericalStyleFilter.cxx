@@ -32,16 +32,6 @@ using namespace vtkFilterSupport;
 
 vtkStandardNewMacro(vtkSphericalStyleFilter);
 
-namespace
-{
-enum InputPorts
-{
-  MODEL = 0,
-  CENTERS = 1,
-  SELECTION = 2
-};
-}
-
 /// What is kept between executions.
 struct vtkSphericalStyleFilter::Internals
 {

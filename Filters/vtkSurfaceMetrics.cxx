@@ -47,12 +47,6 @@ vtkStandardNewMacro(vtkSurfaceMetrics);
 
 namespace
 {
-enum InputPorts
-{
-  SURFACE = 0,
-  REFERENCE = 1
-};
-
 constexpr double Degrees = 180.0 / SphericalStyle::Pi;
 constexpr double ConditionTolerance = 1e-6;
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
@@ -481,11 +475,11 @@ int vtkSurfaceMetrics::RequestWholeData(
 int vtkSurfaceMetrics::Execute(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[SURFACE], 0);
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[MODEL], 0);
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[REFERENCE], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
-  if (!IsSurface(this, inputVector[SURFACE]))
+  if (!IsSurface(this, inputVector[MODEL]))
   {
     return 0;
   }

@@ -40,7 +40,7 @@ using Pieces = std::vector<vtkSmartPointer<vtkPolyData>>;
 enum Contents
 {
   NOTHING_TO_GATHER,
-  SELECTION,
+  SELECTED_CELLS,
   POINTS_ELSEWHERE, // on another process than the first
   COMPOSITE
 };
@@ -177,7 +177,7 @@ vtkSmartPointer<vtkPolyData> Assemble(const std::vector<int>& contents, const Pi
       inputs.Set(port, whole);
       model = p == 0 ? whole : model;
     }
-    else if (contents[p] == SELECTION)
+    else if (contents[p] == SELECTED_CELLS)
     {
       inputs.Set(port, TakeMarks(model));
     }
@@ -231,7 +231,7 @@ void vtkWholeSurfaceAlgorithm::Agree()
     }
     else if (vtkSelection::SafeDownCast(data))
     {
-      own[p] = SELECTION;
+      own[p] = SELECTED_CELLS;
     }
     else if (points && points->GetNumberOfPoints() > 0 && controller->GetLocalProcessId() > 0)
     {
@@ -264,7 +264,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> vtkWholeSurfaceAlgorithm::Prepare(
   for (std::size_t p = 0; p < contents.size(); ++p)
   {
     vtkSelection* selection = vtkSelection::GetData(inputs[p], 0);
-    if (contents[p] == SELECTION && model->GetNumberOfPoints() > 0)
+    if (contents[p] == SELECTED_CELLS && model->GetNumberOfPoints() > 0)
     {
       std::vector<char> selected(model->GetNumberOfPoints(), 0);
       if (selection)

@@ -58,6 +58,11 @@ else ()
       list(APPEND sphericalstyle_warnings ${option})
     endif ()
   endforeach ()
+  # A unity build includes sources, and GCC takes what is local to a source for something local in a header.
+  check_cxx_compiler_flag(-Wsubobject-linkage SPHERICALSTYLE_HAS_SUBOBJECT_LINKAGE)
+  if (CMAKE_UNITY_BUILD AND SPHERICALSTYLE_HAS_SUBOBJECT_LINKAGE)
+    list(APPEND sphericalstyle_warnings -Wno-subobject-linkage)
+  endif ()
 endif ()
 # GCC calls the semicolon behind VTK's type macros an extension: what includes VTK goes without -Wpedantic.
 set(sphericalstyle_vtk_warnings ${sphericalstyle_warnings})

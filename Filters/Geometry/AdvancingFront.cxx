@@ -18,7 +18,7 @@ namespace SphericalStyle
 {
 namespace
 {
-using Facet = std::array<std::size_t, 3>;
+using ThreeIds = std::array<std::size_t, 3>;
 
 std::size_t Root(std::vector<std::size_t>& parent, std::size_t i)
 {
@@ -32,21 +32,21 @@ std::size_t Root(std::vector<std::size_t>& parent, std::size_t i)
 
 /// The order of CGAL's triangles and which of its two sides a connected part turns outward: here
 /// the points decide both.
-void PutInOrder(std::vector<Facet>& facets, std::size_t numberOfPoints)
+void PutInOrder(std::vector<ThreeIds>& facets, std::size_t numberOfPoints)
 {
   std::vector<std::size_t> parent(numberOfPoints);
   std::iota(parent.begin(), parent.end(), std::size_t{ 0 });
-  for (Facet& facet : facets)
+  for (ThreeIds& facet : facets)
   {
     std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
     parent[Root(parent, facet[1])] = Root(parent, facet[0]);
     parent[Root(parent, facet[2])] = Root(parent, facet[0]);
   }
-  const auto ascending = [](const Facet& facet) {
-    return Facet{ facet[0], std::min(facet[1], facet[2]), std::max(facet[1], facet[2]) };
+  const auto ascending = [](const ThreeIds& facet) {
+    return ThreeIds{ facet[0], std::min(facet[1], facet[2]), std::max(facet[1], facet[2]) };
   };
   std::sort(facets.begin(), facets.end(),
-    [&](const Facet& a, const Facet& b) { return ascending(a) < ascending(b); });
+    [&](const ThreeIds& a, const ThreeIds& b) { return ascending(a) < ascending(b); });
   enum class Side
   {
     Unknown,
@@ -54,7 +54,7 @@ void PutInOrder(std::vector<Facet>& facets, std::size_t numberOfPoints)
     Turned
   };
   std::vector<Side> sides(numberOfPoints, Side::Unknown);
-  for (Facet& facet : facets)
+  for (ThreeIds& facet : facets)
   {
     Side& side = sides[Root(parent, facet[0])];
     if (side == Side::Unknown)
@@ -122,7 +122,7 @@ Triangles AdvancingFront(const Points& P)
   {
     points.push_back(ToPoint(P, i));
   }
-  std::vector<Facet> facets;
+  std::vector<ThreeIds> facets;
   if (!IsFlat(points)) // CGAL writes to the terminal about flat ones
   {
     const std::vector<Point3> moved = ForCgal(P);

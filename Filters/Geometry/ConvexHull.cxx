@@ -30,7 +30,7 @@ namespace
 {
 // How far the hull may stay inside of a point, as a fraction of the extent: what double precision
 // leaves of planes that do not lie along the axes, also far from the origin.
-constexpr double Noise = 1e-10;
+constexpr double FlatnessNoise = 1e-10;
 // Two opposite circles of n points have n^2 tetrahedra.
 constexpr std::size_t MostForDelaunay = 5000;
 
@@ -114,7 +114,7 @@ TriangleMesh HullPolygon(const Points& P, const Points& principal)
 }
 
 /// The corners of a closed convex surface: points where three planes or more meet.
-std::vector<Point3> Corners(const SurfaceMesh& mesh)
+std::vector<Point3> CornersOf(const SurfaceMesh& mesh)
 {
   // Exactly: whether the two triangles at an edge lie in different planes.
   const auto isSharp = [&mesh](SurfaceMesh::Halfedge_index h)
@@ -175,7 +175,7 @@ bool IsNoise(const SurfaceMesh& mesh, SurfaceMesh::Vertex_index v, double extent
   }
   normal = normal.stableNormalized();
   if (std::all_of(ring.begin(), ring.end(),
-        [&](const Eigen::Vector3d& e) { return std::abs(normal.dot(e)) <= Noise; }))
+        [&](const Eigen::Vector3d& e) { return std::abs(normal.dot(e)) <= FlatnessNoise; }))
   {
     return true;
   }
@@ -185,7 +185,7 @@ bool IsNoise(const SurfaceMesh& mesh, SurfaceMesh::Vertex_index v, double extent
     {
       const Eigen::Vector3d& a = ring[i];
       const Eigen::Vector3d& b = ring[k];
-      if (a.dot(b) < 0.0 && a.cross(b).norm() <= Noise * (a - b).norm())
+      if (a.dot(b) < 0.0 && a.cross(b).norm() <= FlatnessNoise * (a - b).norm())
       {
         return true;
       }
@@ -291,7 +291,7 @@ Hull ConvexHull(const Points& P)
     SurfaceMesh mesh;
     CGAL::convex_hull_3(points.begin(), points.end(), mesh);
     const double extent = (P.colwise().maxCoeff() - P.colwise().minCoeff()).maxCoeff();
-    hull.mesh = Sorted(ToTriangleMesh(HullWithoutNoise(Corners(mesh), extent)));
+    hull.mesh = Sorted(ToTriangleMesh(HullWithoutNoise(CornersOf(mesh), extent)));
   }
   return hull;
 }

@@ -372,7 +372,8 @@ ProxyDeformationReport ProxyDeformation::Deform(const std::shared_ptr<const Tria
 {
   const TriangleMesh& model = *shared;
   State& s = *this->S;
-  ProxyDeformationReport& report = s.Report = {};
+  ProxyDeformationReport& report = s.Report;
+  report = ProxyDeformationReport();
   const auto goOn = [&](double share)
   {
     report.aborted = report.aborted || (carryOn && !carryOn(share));

@@ -24,11 +24,11 @@ namespace
 // Edges as sharp as this stay where they are: a plate keeps its rim.
 constexpr double SharpEdgeDegrees = 50.0;
 
-using Corners = std::array<int, 3>;
+using ThreeCorners = std::array<int, 3>;
 
 /// Parts of triangle (a, b, c) between its corners and the middles of its long edges.
 /// @param m  middle of bc, ca, ab; -1 where the edge stays whole
-void Cut(const Points& P, Corners t, Corners m, std::vector<Corners>& parts)
+void Cut(const Points& P, ThreeCorners t, ThreeCorners m, std::vector<ThreeCorners>& parts)
 {
   const auto whole = std::count(m.begin(), m.end(), -1);
   // Turned so that the one cut, or the one whole edge, is bc.
@@ -82,7 +82,7 @@ bool SplitOnce(TriangleMesh& mesh, double edgeLength)
     }
     return found.first->second;
   };
-  std::vector<Corners> cuts;
+  std::vector<ThreeCorners> cuts;
   cuts.reserve(mesh.F.rows());
   for (const auto& t : mesh.F.rowwise())
   {
@@ -94,7 +94,7 @@ bool SplitOnce(TriangleMesh& mesh, double edgeLength)
   {
     mesh.P.row(before + static_cast<Eigen::Index>(i)) = added[i];
   }
-  std::vector<Corners> parts;
+  std::vector<ThreeCorners> parts;
   for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
   {
     Cut(mesh.P, { mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2) }, cuts[f], parts);

@@ -21,6 +21,17 @@ class vtkInformationVector;
 
 namespace vtkFilterSupport
 {
+/// What the input ports of the filters hold.
+enum InputPorts
+{
+  MODEL = 0,
+  CENTERS = 1,    // vtkSphericalStyleFilter
+  PROXY = 1,      // vtkConvexProxyDeformFilter
+  REFERENCE = 1,  // vtkSurfaceMetrics
+  STYLE_MESH = 1, // vtkNormalAnalogyFilter
+  SELECTION = 2
+};
+
 /// @throw std::invalid_argument "name must be ...; it is value"
 void Require(bool good, const char* name, const char* must, double value);
 

@@ -10,18 +10,15 @@
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
-#include <limits>
-
 namespace Conversion = vtkSurfaceMeshConversion;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr Conversion::ArrayRule Rules[] = {
   // from ROUNDNESS_FACTOR on
-  { "Roundness factor", 1, 0.0, Infinity },
+  { "Roundness factor", 1, 0.0, Conversion::Infinity },
   { "Normal blend", 1, 0.0, 1.0 },
-  { "Target directions", 3, -Infinity, Infinity },
+  { "Target directions", 3, -Conversion::Infinity, Conversion::Infinity },
 };
 }
 

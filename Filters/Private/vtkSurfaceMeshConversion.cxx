@@ -32,7 +32,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -820,9 +819,7 @@ vtkDataArray* FindPointArray(
 
 Points GatherNormals(vtkInformation* wanted, vtkPolyData* input, const vtkSurfaceMesh& surface)
 {
-  constexpr double Infinity = std::numeric_limits<double>::infinity();
-  Points normals = GatherPointArray(
-    wanted, input, surface, { "Normals", 3, -Infinity, Infinity, vtkDataSetAttributes::NORMALS });
+  Points normals = GatherPointArray(wanted, input, surface, NormalsRule);
   for (Eigen::Index i = 0; i < normals.rows(); ++i)
   {
     normals.row(i) = normals.row(i).stableNormalized();

@@ -6,9 +6,11 @@
 #define vtkSurfaceMeshConversion_h
 
 #include "TriangleMesh.h"
-#include "vtkType.h" // for vtkIdType
+#include "vtkDataSetAttributes.h" // for the attribute types
+#include "vtkType.h"              // for vtkIdType
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -121,6 +123,10 @@ struct ArrayRule
   double Maximum;
   int Attribute = -1; ///< active attribute to take where no array is named, -1 for none
 };
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr ArrayRule NormalsRule = { "Normals", 3, -Infinity, Infinity,
+  vtkDataSetAttributes::NORMALS };
 
 /// The point array that an algorithm is told to process, or nullptr where none is asked for: unset,
 /// or set back to "None" by a user interface, and then no array of the attribute type either.

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 /// depend on.
 using Moments = Eigen::Matrix<double, 9, 9>;
 
-constexpr int MostSteps = 1000;
+constexpr int MostAxisSteps = 1000;
 // Smaller steps of the axes end the iteration. Those of a ball are rounding alone.
 constexpr double LeastStep = 1e-10;
 // Less gain, as a share of the value, is no reason to prefer another start.
@@ -51,7 +51,7 @@ double Value(const Moments& moments, const Matrix3d& axes)
 /// these steps lowers it. @return the value
 double Climb(const Moments& moments, Matrix3d& axes)
 {
-  for (int k = 0; k < MostSteps; ++k)
+  for (int k = 0; k < MostAxisSteps; ++k)
   {
     Matrix3d gradient;
     for (int row = 0; row < 3; ++row)

@@ -18,7 +18,7 @@ namespace
 // The article's parameters, but: the first penalty is the cell's area where there it is 1e-4, so
 // that nothing depends on how fine the mesh is; and the tolerances are 1e-5 and 1e-3 there. A loose
 // local step costs more iterations than it saves.
-constexpr int MostSteps = 100;
+constexpr int MostSplittingSteps = 100;
 constexpr double AbsoluteTolerance = 1e-8;
 constexpr double RelativeTolerance = 1e-7;
 constexpr double Imbalance = 10.0; // mu
@@ -67,7 +67,7 @@ void CubicStyle::Alternate(
   const Eigen::Vector3d n = this->Normals.row(cell).transpose();
   const double strength = 0.5 * this->Lambda * this->Areas[cell];
   Split& split = this->Splits[cell];
-  for (int step = 0; step < MostSteps; ++step)
+  for (int step = 0; step < MostSplittingSteps; ++step)
   {
     const Eigen::Matrix3d R = ClosestRotation(S + split.rho * n * (split.z - split.u).transpose());
     const double here = this->Value(S, R, cell);

@@ -19,7 +19,7 @@ constexpr int TileRows = SupernodePanel::TileRows;
 constexpr int BlockColumns = 4;
 constexpr int PointSize = 4;
 constexpr int InverseSize = BlockColumns * BlockColumns;
-constexpr int TileSize = TileRows * BlockColumns;
+constexpr int TileValues = TileRows * BlockColumns;
 
 template <typename Scalar>
 struct VectorsOf;
@@ -40,7 +40,7 @@ struct VectorsOf<double>
 
 /// The same number of the eight rows of a tile.
 template <typename Scalar>
-using Rows = typename VectorsOf<Scalar>::Rows;
+using EightRows = typename VectorsOf<Scalar>::Rows;
 /// A row of X: three numbers and one more.
 template <typename Scalar>
 using Point = typename VectorsOf<Scalar>::Point;
@@ -67,7 +67,7 @@ std::size_t CountValues(const Node& node)
   std::size_t count = 0;
   for (int j = 0; j < node.columns; j += BlockColumns)
   {
-    count += InverseSize + static_cast<std::size_t>(node.tiles - FirstTile(node, j)) * TileSize;
+    count += InverseSize + static_cast<std::size_t>(node.tiles - FirstTile(node, j)) * TileValues;
   }
   return count;
 }
@@ -125,14 +125,14 @@ void PackNode(const Node& node, const double* panel, Scalar* out)
     PackInverse(panel + node.GetOffset(j / TileRows, j) + j % TileRows,
       std::min(BlockColumns, node.columns - j), out);
     out += InverseSize;
-    for (int tile = FirstTile(node, j); tile < node.tiles; ++tile, out += TileSize)
+    for (int tile = FirstTile(node, j); tile < node.tiles; ++tile, out += TileValues)
     {
       const double* from = panel + node.GetOffset(tile, j);
       std::transform(
-        from, from + TileSize, out, [](double value) { return static_cast<Scalar>(value); });
+        from, from + TileValues, out, [](double value) { return static_cast<Scalar>(value); });
       if (tile == j / TileRows) // the rows of the triangle are in it, too
       {
-        for (int k = 0; k < TileSize; ++k)
+        for (int k = 0; k < TileValues; ++k)
         {
           out[k] = k % TileRows < BlockColumns ? Scalar(0) : out[k];
         }
@@ -197,7 +197,7 @@ void SetTargets(Packed<Scalar>& packed, std::vector<int>& ownRow, Part& part)
 //---------------------------------------------------------------------------------------- solving
 /// x, y and z of the eight rows of a tile.
 template <typename Scalar>
-SPHERICALSTYLE_INLINE void Gather(const Point<Scalar>* X, const int* slot, Rows<Scalar>* w)
+SPHERICALSTYLE_INLINE void Gather(const Point<Scalar>* X, const int* slot, EightRows<Scalar>* w)
 {
   const Point<Scalar>& a = X[slot[0]];
   const Point<Scalar>& b = X[slot[1]];
@@ -209,14 +209,14 @@ SPHERICALSTYLE_INLINE void Gather(const Point<Scalar>* X, const int* slot, Rows<
   const Point<Scalar>& h = X[slot[7]];
   for (int k = 0; k < 3; ++k)
   {
-    w[k] = Rows<Scalar>{ a[k], b[k], c[k], d[k], e[k], f[k], g[k], h[k] };
+    w[k] = EightRows<Scalar>{ a[k], b[k], c[k], d[k], e[k], f[k], g[k], h[k] };
   }
 }
 
 /// X := L^-1 X for the columns of one supernode. @param w  room for three vectors a tile
 template <typename Scalar>
 SPHERICALSTYLE_INLINE void SolveForward(
-  const Packed<Scalar>& L, int s, Point<Scalar>* X, Rows<Scalar>* w)
+  const Packed<Scalar>& L, int s, Point<Scalar>* X, EightRows<Scalar>* w)
 {
   const Node& node = L.nodes[s];
   const int* slot = L.slots.data() + node.firstSlot;
@@ -224,11 +224,11 @@ SPHERICALSTYLE_INLINE void SolveForward(
   {
     Gather<Scalar>(X, slot + t * TileRows, w + 3 * t);
   }
-  std::fill(w + 3 * node.ownTiles, w + 3 * node.tiles, Rows<Scalar>{});
+  std::fill(w + 3 * node.ownTiles, w + 3 * node.tiles, EightRows<Scalar>{});
   const Scalar* values = L.values.Get() + node.firstValue;
   for (int j = 0; j < node.columns; j += BlockColumns)
   {
-    Rows<Scalar> y[3][BlockColumns];
+    EightRows<Scalar> y[3][BlockColumns];
     Point<Scalar> solved[BlockColumns] = {};
     for (int k = 0; k < 3; ++k)
     {
@@ -241,15 +241,15 @@ SPHERICALSTYLE_INLINE void SolveForward(
           sum += values[i * BlockColumns + q] * own[q];
         }
         solved[i][k] = sum;
-        y[k][i] = Rows<Scalar>{} + sum;
+        y[k][i] = EightRows<Scalar>{} + sum;
       }
     }
     const int width = std::min(BlockColumns, node.columns - j);
     std::copy(solved, solved + width, X + node.firstColumn + j);
     values += InverseSize;
-    for (int t = FirstTile(node, j); t < node.tiles; ++t, values += TileSize)
+    for (int t = FirstTile(node, j); t < node.tiles; ++t, values += TileValues)
     {
-      const auto* c = reinterpret_cast<const Rows<Scalar>*>(values);
+      const auto* c = reinterpret_cast<const EightRows<Scalar>*>(values);
       for (int k = 0; k < 3; ++k)
       {
         w[3 * t + k] -= c[0] * y[k][0] + c[1] * y[k][1] + c[2] * y[k][2] + c[3] * y[k][3];
@@ -268,7 +268,7 @@ SPHERICALSTYLE_INLINE void SolveForward(
 /// X := L^-T X for the columns of one supernode.
 template <typename Scalar>
 SPHERICALSTYLE_INLINE void SolveBackward(
-  const Packed<Scalar>& L, int s, Point<Scalar>* X, Rows<Scalar>* w)
+  const Packed<Scalar>& L, int s, Point<Scalar>* X, EightRows<Scalar>* w)
 {
   const Node& node = L.nodes[s];
   const int* slot = L.slots.data() + node.firstSlot;
@@ -279,11 +279,11 @@ SPHERICALSTYLE_INLINE void SolveBackward(
   const Scalar* values = L.values.Get() + L.EndOfValues(s);
   for (int j = (node.columns - 1) / BlockColumns * BlockColumns; j >= 0; j -= BlockColumns)
   {
-    Rows<Scalar> sum[3][BlockColumns] = {};
+    EightRows<Scalar> sum[3][BlockColumns] = {};
     for (int t = node.tiles - 1; t >= FirstTile(node, j); --t) // addresses only ever fall
     {
-      values -= TileSize;
-      const auto* c = reinterpret_cast<const Rows<Scalar>*>(values);
+      values -= TileValues;
+      const auto* c = reinterpret_cast<const EightRows<Scalar>*>(values);
       for (int k = 0; k < 3; ++k)
       {
         for (int i = 0; i < BlockColumns; ++i)
@@ -312,7 +312,7 @@ SPHERICALSTYLE_INLINE void SolveBackward(
 
 template <typename Scalar>
 SPHERICALSTYLE_INLINE void SolveForward(
-  const Packed<Scalar>& L, SupernodalTasks::Range range, Point<Scalar>* X, Rows<Scalar>* w)
+  const Packed<Scalar>& L, SupernodalTasks::Range range, Point<Scalar>* X, EightRows<Scalar>* w)
 {
   for (int s = range.first; s < range.last; ++s)
   {
@@ -322,7 +322,7 @@ SPHERICALSTYLE_INLINE void SolveForward(
 
 template <typename Scalar>
 SPHERICALSTYLE_INLINE void SolveBackward(
-  const Packed<Scalar>& L, SupernodalTasks::Range range, Point<Scalar>* X, Rows<Scalar>* w)
+  const Packed<Scalar>& L, SupernodalTasks::Range range, Point<Scalar>* X, EightRows<Scalar>* w)
 {
   for (int s = range.last - 1; s >= range.first; --s)
   {
@@ -333,7 +333,7 @@ SPHERICALSTYLE_INLINE void SolveBackward(
 /// Up the top and down again.
 template <typename Scalar>
 SPHERICALSTYLE_INLINE void SolveTop(
-  const Packed<Scalar>& L, const std::vector<int>& top, Point<Scalar>* X, Rows<Scalar>* w)
+  const Packed<Scalar>& L, const std::vector<int>& top, Point<Scalar>* X, EightRows<Scalar>* w)
 {
   for (const int s : top)
   {
@@ -348,17 +348,17 @@ SPHERICALSTYLE_INLINE void SolveTop(
 // Templates cannot be compiled once per instruction set; these are.
 #define SPHERICALSTYLE_COMPILE_SOLVES(Scalar)                                                      \
   SPHERICALSTYLE_PER_INSTRUCTION_SET void ForwardSubtree(                                          \
-    const Packed<Scalar>& L, SupernodalTasks::Range range, Point<Scalar>* X, Rows<Scalar>* w)      \
+    const Packed<Scalar>& L, SupernodalTasks::Range range, Point<Scalar>* X, EightRows<Scalar>* w) \
   {                                                                                                \
     SolveForward<Scalar>(L, range, X, w);                                                          \
   }                                                                                                \
   SPHERICALSTYLE_PER_INSTRUCTION_SET void BackwardSubtree(                                         \
-    const Packed<Scalar>& L, SupernodalTasks::Range range, Point<Scalar>* X, Rows<Scalar>* w)      \
+    const Packed<Scalar>& L, SupernodalTasks::Range range, Point<Scalar>* X, EightRows<Scalar>* w) \
   {                                                                                                \
     SolveBackward<Scalar>(L, range, X, w);                                                         \
   }                                                                                                \
   SPHERICALSTYLE_PER_INSTRUCTION_SET void UpAndDownTop(                                            \
-    const Packed<Scalar>& L, const std::vector<int>& top, Point<Scalar>* X, Rows<Scalar>* w)       \
+    const Packed<Scalar>& L, const std::vector<int>& top, Point<Scalar>* X, EightRows<Scalar>* w)  \
   {                                                                                                \
     SolveTop<Scalar>(L, top, X, w);                                                                \
   }
@@ -457,7 +457,7 @@ void PackedFactor<Scalar>::Solve(RightHandSides B, int threads) const
   const auto count = static_cast<int>(d.parts.size());
   auto* X = reinterpret_cast<Point<Scalar>*>(d.X.Get());
   const auto tiles = [&d](std::ptrdiff_t first)
-  { return reinterpret_cast<Rows<Scalar>*>(d.tiles.Get()) + 3 * first; };
+  { return reinterpret_cast<EightRows<Scalar>*>(d.tiles.Get()) + 3 * first; };
 
   // Into the range of single precision.
   const double scale = std::is_same_v<Scalar, double> ? 1.0 : UnitScale(B);

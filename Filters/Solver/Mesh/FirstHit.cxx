@@ -9,7 +9,7 @@ namespace SphericalStyle
 namespace
 {
 constexpr double Nearest = 1e-6;  // far above the rounding of points of single precision
-constexpr double Rounding = 1e-9; // a ray through an edge must not pass between its triangles
+constexpr double RayRounding = 1e-9; // a ray through an edge must not pass between its triangles
 }
 
 FirstHit::FirstHit(const Points& points, const Triangles& triangles, const Eigen::Vector3d& origin,
@@ -60,8 +60,8 @@ double FirstHit::DistanceOf(const Eigen::AlignedBox3d& box) const
   double leaves = Nothing;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double a = (box.min()[axis] - this->Origin[axis] - Rounding) * this->Inverse[axis];
-    const double b = (box.max()[axis] - this->Origin[axis] + Rounding) * this->Inverse[axis];
+    const double a = (box.min()[axis] - this->Origin[axis] - RayRounding) * this->Inverse[axis];
+    const double b = (box.max()[axis] - this->Origin[axis] + RayRounding) * this->Inverse[axis];
     enters = std::max(enters, std::min(a, b));
     leaves = std::min(leaves, std::max(a, b));
   }
@@ -90,7 +90,7 @@ void FirstHit::Test(int f)
   const Eigen::Vector3d q = s.cross(ab);
   const Eigen::Vector2d place(s.dot(across) / determinant, this->Direction.dot(q) / determinant);
   const double distance = ac.dot(q) / determinant;
-  const bool inside = place.minCoeff() >= -Rounding && place.sum() <= 1.0 + Rounding;
+  const bool inside = place.minCoeff() >= -RayRounding && place.sum() <= 1.0 + RayRounding;
   const bool first =
     distance < this->Distance || (distance == this->Distance && f < this->Triangle);
   const bool seen = determinant < 0.0 || distance >= this->Blind; // below 0: from its inside

@@ -18,7 +18,7 @@ namespace
 {
 constexpr int MostFlipsPerEdge = 100;
 /// Flat squares have 0 on their diagonal, up to rounding: they are left as they are.
-constexpr double Rounding = 1e-13;
+constexpr double WeightRounding = 1e-13;
 constexpr double Negative = -1e-12;
 
 /// Triangles glued along edges. Half-edge h = 3 f + k lies opposite corner k of triangle f.
@@ -128,7 +128,7 @@ double Gluing::Weight(int edge) const
 
 void Gluing::Enqueue(int edge)
 {
-  if (!this->Waits[edge] && this->IsFlippable(edge) && this->Weight(edge) < -Rounding)
+  if (!this->Waits[edge] && this->IsFlippable(edge) && this->Weight(edge) < -WeightRounding)
   {
     this->Waits[edge] = 1;
     this->Queue.push_back(edge);
@@ -148,7 +148,7 @@ void Gluing::FlipToDelaunay()
     const int edge = this->Queue.front();
     this->Queue.pop_front();
     this->Waits[edge] = 0;
-    if (!this->IsFlippable(edge) || !(this->Weight(edge) < -Rounding))
+    if (!this->IsFlippable(edge) || !(this->Weight(edge) < -WeightRounding))
     {
       continue; // a flip beside it has mended it
     }
