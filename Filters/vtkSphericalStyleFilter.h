@@ -7,7 +7,7 @@
  * The output is the input with moved points. A smooth base of the model is blended with its target,
  * one ball or limbs that are round by their own thickness; details ride on the base and turn with
  * it; the result has the size of the model. All of it is in closed form: nothing iterates. The
- * energy of the thesis is minimized where its own ways are asked for (see SphericalWeighting).
+ * energy of the thesis is minimized only on request (see Energy below).
  *
  * Input port 0: vtkPolyData. Triangles, quads, polygons and strips take part in the solve
  * (triangulated inside, cells unchanged on output); lines, vertices and points of no face are
@@ -223,10 +223,10 @@ public:
 
   ///@{
   /**
-   * What of the model is as large afterwards as before, by scaling about the mean of its points,
-   * each with a third of the rest area of its triangles [size]: Area (default), Volume (an error
-   * where none is enclosed), Extent (along UpAxis) or Off. With a region it is the region that is
-   * measured and scaled, before its border fades.
+   * Scale the result so that this stays what it was [size]: Area (default), Volume (an error where
+   * none is enclosed) or Extent (along UpAxis); Off does not scale. The center of the scaling is the
+   * mean of the points, each with a third of the rest area of its triangles. With a region it is the
+   * region that is measured and scaled, before its border fades.
    */
   vtkSetClampMacro(KeepSize, int, NO_SIZE, EXTENT);
   vtkGetMacro(KeepSize, int);
@@ -357,7 +357,7 @@ public:
 
   ///@{
   /**
-   * Take less of Roundness where triangles would turn over or newly run through each other, and
+   * Use less Roundness where triangles would turn over or newly run through each other, and
    * solve again until none does [guard]; the result is checked as it is written, in the number type
    * of the output. What the input has already stays. With NormalBlend 0 on models without thin
    * parts it rarely changes anything: then the result has the same bits as without. Off with
