@@ -61,7 +61,7 @@ StyleEnergy::StyleEnergy(const MeshTopology& topology, EdgeWeights weights, Half
 void StyleEnergy::PrepareSteps(const CellPattern& pattern)
 {
   const Triangles& F = this->Topology->GetTriangles();
-  this->Pulls = CellPulls(
+  this->Coefficients = CellCoefficients(
     pattern, *this->Topology,
     [&](int t) -> Eigen::Matrix3d
     {
@@ -225,7 +225,7 @@ void StyleEnergy::Covariances(const Points& Q, Matrices& S) const
       for (int first = begin; first < end; first += Batch)
       {
         const int last = std::min(first + Batch, end);
-        this->Pulls.Covariances(Q, first, last, batch.data());
+        this->Coefficients.Covariances(Q, first, last, batch.data());
         std::copy_n(batch.data(), 9 * static_cast<std::ptrdiff_t>(last - first), S[first].data());
       }
     });
@@ -241,7 +241,7 @@ double StyleEnergy::FitRotations(const Points& Q, Matrices& R) const
       for (int first = begin; first < end; first += Batch)
       {
         const int last = std::min(first + Batch, end);
-        this->Pulls.Covariances(Q, first, last, batch.data());
+        this->Coefficients.Covariances(Q, first, last, batch.data());
         change += SphericalStyle::FitRotations(batch.data(), last - first, &R[first]);
       }
       return change;
@@ -250,6 +250,6 @@ double StyleEnergy::FitRotations(const Points& Q, Matrices& R) const
 
 void StyleEnergy::RightHandSide(const Matrices& R, Points& b) const
 {
-  this->Pulls.RightHandSide(R, b, this->Threads);
+  this->Coefficients.RightHandSide(R, b, this->Threads);
 }
 } // namespace SphericalStyle

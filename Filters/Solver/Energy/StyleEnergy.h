@@ -9,7 +9,7 @@
 #ifndef SphericalStyle_StyleEnergy_h
 #define SphericalStyle_StyleEnergy_h
 
-#include "CellPulls.h"
+#include "CellCoefficients.h"
 #include "EdgeWeights.h"
 #include "HalfEdgeField.h"
 
@@ -61,9 +61,9 @@ public:
 private:
   const MeshTopology* Topology = nullptr;
   EdgeWeights Weights;
-  HalfEdgeField Edges;   // e
-  HalfEdgeField Targets; // tau
-  CellPulls Pulls;       // of g = c e + l tau
+  HalfEdgeField Edges;           // e
+  HalfEdgeField Targets;         // tau
+  CellCoefficients Coefficients; // of g = c e + l tau
   double Scale = 0.0;
   int Threads = 1;
 };

@@ -168,11 +168,14 @@ public:
   Matrices R;
 
   /// The triangles of the energy. Areas, normals and spheres are those of the surface.
-  const EnergyTriangles& Summed() const
+  const EnergyTriangles& EnergyMesh() const
   {
     return this->Sum->Shape.KeepSurface() ? this->Surface : this->Sum->Reshaped;
   }
-  const Triangles& SummedTriangles() const { return this->Summed().Topology.GetTriangles(); }
+  const Triangles& EnergyMeshTriangles() const
+  {
+    return this->EnergyMesh().Topology.GetTriangles();
+  }
 
   StyleReport Solve(const StyleOptions& options, const Callback& callback);
   void Forget() noexcept;
@@ -272,7 +275,7 @@ void StyleSolver::State::UpdateTriangles(const EnergyTriangleOptions& shape)
       {
         ++sum.TopologyVersion;
       }
-      sum.RestMeans = this->Summed().Topology.ComponentMeans(this->P, this->Areas.Get());
+      sum.RestMeans = this->EnergyMesh().Topology.ComponentMeans(this->P, this->Areas.Get());
     });
 }
 
@@ -284,7 +287,7 @@ void StyleSolver::State::UpdateShares(const StyleOptions& options)
     shares.resize(this->P.rows(), 0);
     if (centers > 1)
     {
-      const EnergyTriangles& triangles = this->Summed();
+      const EnergyTriangles& triangles = this->EnergyMesh();
       shares = CenterShares(this->P, triangles.Topology, triangles.Cotangents, options.centerBlend,
         options.centerIds, centers, this->Areas.Get(), options.linearMethod, options.threads);
     }
@@ -319,7 +322,7 @@ HalfEdgeField StyleSolver::State::Targets(const StyleOptions& options, StyleRepo
 {
   report.spheres = SpheresOfCenters(this->P, this->Given->F, options.Into(this->MeshFrame));
   report.sphere = report.spheres.front();
-  const Triangles& F = this->SummedTriangles();
+  const Triangles& F = this->EnergyMeshTriangles();
   const bool keep = options.concaveEdges == ConcaveEdges::Keep;
   HalfEdgeVectors tau(0, 9);
   if (report.spheres.size() == 1)
@@ -357,8 +360,9 @@ HalfEdgeField StyleSolver::State::Targets(const StyleOptions& options, StyleRepo
 void StyleSolver::State::UpdateGlobal(const StyleOptions& options)
 {
   this->Global.Update({ this->Sum->TopologyVersion, options.fixedPoints, options.linearMethod },
-    [&](GlobalStep& global)
-    { global = GlobalStep(this->Summed().Topology, options.fixedPoints, options.linearMethod); });
+    [&](GlobalStep& global) {
+      global = GlobalStep(this->EnergyMesh().Topology, options.fixedPoints, options.linearMethod);
+    });
 }
 
 /// [blend]: one ratio l / c on all half-edges, targets that are differences of one field, nothing
@@ -385,9 +389,9 @@ EdgeWeights StyleSolver::State::Prepare(const StyleOptions& options, StyleReport
   this->UpdateTriangles(ShapeOf(options, this->Surface.Topology));
   report.seconds.triangles = triangles.Seconds();
   report.components = this->Surface.Topology.GetNumberOfComponents();
-  report.edgeFlips = this->Summed().NumberOfFlips;
-  report.negativeEdges = this->Summed().NumberOfNegativeEdges;
-  report.stitches = this->Summed().NumberOfStitches;
+  report.edgeFlips = this->EnergyMesh().NumberOfFlips;
+  report.negativeEdges = this->EnergyMesh().NumberOfNegativeEdges;
+  report.stitches = this->EnergyMesh().NumberOfStitches;
   this->UpdateGlobal(options);
   EdgeWeights weights = this->Weights(options, report);
   const Stopwatch shares;
@@ -404,8 +408,9 @@ EdgeWeights StyleSolver::State::Weights(const StyleOptions& options, StyleReport
   {
     lambda = options.lambda * options.roundnessFactors;
   }
-  EdgeWeights weights = ComputeEdgeWeights(this->Summed().Cotangents, this->SummedTriangles(),
-    lambda, options.edgeWeighting, options.sphericalWeighting, this->Summed().NumberOfStitches);
+  EdgeWeights weights =
+    ComputeEdgeWeights(this->EnergyMesh().Cotangents, this->EnergyMeshTriangles(), lambda,
+      options.edgeWeighting, options.sphericalWeighting, this->EnergyMesh().NumberOfStitches);
   report.seconds.weights += watch.Seconds();
   return weights;
 }
@@ -417,8 +422,8 @@ void StyleSolver::State::BuildEnergy(
   const Stopwatch watch;
   this->Energy = {}; // its memory is needed
   HalfEdgeField tau = this->Targets(options, report);
-  this->Energy = StyleEnergy(this->Summed().Topology, std::move(weights), HalfEdgeField(this->P),
-    std::move(tau), options.threads);
+  this->Energy = StyleEnergy(this->EnergyMesh().Topology, std::move(weights),
+    HalfEdgeField(this->P), std::move(tau), options.threads);
   report.seconds.weights += watch.Seconds();
 }
 
@@ -430,7 +435,7 @@ void StyleSolver::State::PrepareSteps(StyleReport& report)
     [&](CellPattern& cells)
     {
       cells = {}; // its memory is needed
-      cells = CellPattern(this->Summed().Topology);
+      cells = CellPattern(this->EnergyMesh().Topology);
     });
   this->Energy.PrepareSteps(this->Cells.Get());
   report.seconds.weights += watch.Seconds();

@@ -8,7 +8,7 @@ namespace SphericalStyle
 {
 namespace
 {
-constexpr double Nearest = 1e-6;  // far above the rounding of points of single precision
+constexpr double Nearest = 1e-6;     // far above the rounding of points of single precision
 constexpr double RayRounding = 1e-9; // a ray through an edge must not pass between its triangles
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Weights, targets and the energy: identities that hold for each of them alone.
-#include "CellPulls.h"
+#include "CellCoefficients.h"
 #include "Check.h"
 #include "DeformationMeasures.h"
 #include "Meshes.h"
@@ -630,12 +630,12 @@ void TestManyNeighbors()
     "each spoke and each side twice, not " << pattern.GetNeighbors().size() << " neighbors of "
                                            << around << " triangles");
   int visits = 0;
-  const auto pull = [&visits](int) -> Matrix3d
+  const auto weightedEdges = [&visits](int) -> Matrix3d
   {
     ++visits;
     return Matrix3d::Identity();
   };
-  const CellPulls pulls(pattern, topology, pull, 1);
+  const CellCoefficients coefficients(pattern, topology, weightedEdges, 1);
   CHECK(visits == 3 * around, visits << " visits of " << around << " triangles");
   int compared = 0;
   const auto less = [&compared](int a, int b)

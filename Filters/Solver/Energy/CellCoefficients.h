@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The two sums over cells that every iteration needs, each read once from end to end.
-#ifndef SphericalStyle_CellPulls_h
-#define SphericalStyle_CellPulls_h
+/// The two sums over cells that every iteration needs. Each reads its memory once, in order.
+#ifndef SphericalStyle_CellCoefficients_h
+#define SphericalStyle_CellCoefficients_h
 
 #include "MeshTopology.h"
 
@@ -39,8 +39,8 @@ private:
   std::vector<int> Neighbors;
 };
 
-/// The pulls g_h = c_h e_h + l_h tau_h of [energy], added up. With d_k the pull of the half-edge
-/// that starts at corner k of a triangle less that of the one that ends there, and
+/// What the steps of [energy] need of the weighted edges g_h = c_h e_h + l_h tau_h. With d_k = g of
+/// the half-edge that starts at corner k of a triangle, minus g of the one that ends there, and
 ///
 ///     w_yj = sum over the triangles at y and j of d at j,
 ///
@@ -51,14 +51,14 @@ private:
 ///
 /// because e'_h = q_u - q_v, and sum_j w_yj = 0. Nothing is allocated after construction; results
 /// have the same bits for any number of threads.
-class CellPulls
+class CellCoefficients
 {
 public:
-  CellPulls() = default;
+  CellCoefficients() = default;
   /// @param pattern  that of the topology; kept by reference, must outlive this
-  /// @param pulls  g of the three half-edges of a triangle, as columns, length
-  CellPulls(const CellPattern& pattern, const MeshTopology& topology,
-    const std::function<Eigen::Matrix3d(int triangle)>& pulls, int threads);
+  /// @param weightedEdges  g of the three half-edges of a triangle, as columns, length
+  CellCoefficients(const CellPattern& pattern, const MeshTopology& topology,
+    const std::function<Eigen::Matrix3d(int triangle)>& weightedEdges, int threads);
 
   /// S_y of the points begin..end-1. @param Q  n x 3 @param S  9 numbers for each, column-major,
   /// and room for one more
@@ -69,8 +69,8 @@ public:
 private:
   const CellPattern* Pattern = nullptr;
   // Three numbers per neighbor j of y, and one more number at the end.
-  std::vector<double> OfCell;  // w_yj: what the cell of y asks of j
-  std::vector<double> OfPoint; // w_jy: what the cell of j asks of y
+  std::vector<double> OfCell;  // w_yj, of the cell of y
+  std::vector<double> OfPoint; // w_jy, of the cell of j
   Points Own;                  // w_yy
 };
 } // namespace SphericalStyle

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CellPulls.h"
+#include "CellCoefficients.h"
 
 #include "Parallel.h"
 #include "Vector4.h"
@@ -37,8 +37,8 @@ CellPattern::CellPattern(const MeshTopology& topology)
   }
 }
 
-CellPulls::CellPulls(const CellPattern& pattern, const MeshTopology& topology,
-  const std::function<Eigen::Matrix3d(int)>& pulls, int threads)
+CellCoefficients::CellCoefficients(const CellPattern& pattern, const MeshTopology& topology,
+  const std::function<Eigen::Matrix3d(int)>& weightedEdges, int threads)
   : Pattern(&pattern)
   , OfCell(3 * pattern.GetNeighbors().size() + 1, 0.0)
   , OfPoint(3 * pattern.GetNeighbors().size() + 1, 0.0)
@@ -56,7 +56,7 @@ CellPulls::CellPulls(const CellPattern& pattern, const MeshTopology& topology,
         for (int at = topology.GetCornerOffset()[y]; at < topology.GetCornerOffset()[y + 1]; ++at)
         {
           const int f = corners[at] / 3;
-          const Eigen::Matrix3d g = pulls(f);
+          const Eigen::Matrix3d g = weightedEdges(f);
           // Corner k starts half-edge k + 2 and ends half-edge k + 1.
           const auto difference = [&g](int k) -> Eigen::RowVector3d
           { return g.col((k + 2) % 3) - g.col((k + 1) % 3); };
@@ -93,10 +93,10 @@ void SumCovariances(const double* w, const int* offset, const int* neighbors, co
     for (int at = offset[y]; at < offset[y + 1]; ++at)
     {
       const double* p = Q + 3 * static_cast<std::ptrdiff_t>(neighbors[at]);
-      const Vector4 pull = Load4(w + 3 * static_cast<std::ptrdiff_t>(at));
-      x += pull * (p[0] - q[0]);
-      y4 += pull * (p[1] - q[1]);
-      z += pull * (p[2] - q[2]);
+      const Vector4 w4 = Load4(w + 3 * static_cast<std::ptrdiff_t>(at));
+      x += w4 * (p[0] - q[0]);
+      y4 += w4 * (p[1] - q[1]);
+      z += w4 * (p[2] - q[2]);
     }
     Store4(S, x); // each column covers the number too many of the one before
     Store4(S + 3, y4);
@@ -105,7 +105,7 @@ void SumCovariances(const double* w, const int* offset, const int* neighbors, co
 }
 
 SPHERICALSTYLE_PER_INSTRUCTION_SET
-void SumPulls(const double* w, const double* own, const int* offset, const int* neighbors,
+void SumNeighbors(const double* w, const double* own, const int* offset, const int* neighbors,
   const double* R, int begin, int end, double* b)
 {
   for (int j = begin; j < end; ++j)
@@ -125,19 +125,19 @@ void SumPulls(const double* w, const double* own, const int* offset, const int* 
 }
 }
 
-void CellPulls::Covariances(const Points& Q, int begin, int end, double* S) const
+void CellCoefficients::Covariances(const Points& Q, int begin, int end, double* S) const
 {
   SumCovariances(this->OfCell.data(), this->Pattern->GetOffset().data(),
     this->Pattern->GetNeighbors().data(), Q.data(), begin, end, S);
 }
 
-void CellPulls::RightHandSide(const Matrices& R, Points& b, int threads) const
+void CellCoefficients::RightHandSide(const Matrices& R, Points& b, int threads) const
 {
   b.resize(this->Own.rows(), 3);
   ParallelFor(static_cast<int>(b.rows()), threads,
     [&](int begin, int end)
     {
-      SumPulls(this->OfPoint.data(), this->Own.data(), this->Pattern->GetOffset().data(),
+      SumNeighbors(this->OfPoint.data(), this->Own.data(), this->Pattern->GetOffset().data(),
         this->Pattern->GetNeighbors().data(), R.data()->data(), begin, end, b.data());
     });
 }
