@@ -21,7 +21,7 @@
  * SIGGRAPH Asia 2019, doi:10.1145/3355089.3356495. The bracketed labels are those of
  * Filters/Documentation/CubicStyle.md.
  *
- * Cost: one sparse factorisation, then per iteration a small problem per point (some dozens of 3 x
+ * Cost: one sparse factorization, then per iteration a small problem per point (some dozens of 3 x
  * 3 rotations) and one triangular solve. Some hundred iterations are usual: the energy is flat
  * where a normal is between two axes. So other defaults: Tolerance 1e-3, MaximumNumberOfIterations
  * 500.

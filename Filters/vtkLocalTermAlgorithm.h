@@ -21,7 +21,7 @@
  *       + sum over points y of the filter's own term of R_y
  *
  * with half cotangents c_h. The own term says nothing of p', so that the matrix is that of the
- * first sum: one sparse factorisation (about n log n in practice), kept while the points stay.
+ * first sum: one sparse factorization (about n log n in practice), kept while the points stay.
  *
  * @sa vtkCubicStyleFilter vtkNormalAnalogyFilter
  */

@@ -26,7 +26,7 @@
  * Forum 40(5), SGP 2021, with the closest-normal mapping: the method that the thesis compares with
  * in Fig. 4.23. The bracketed labels are those of Filters/Documentation/NormalAnalogy.md.
  *
- * Cost: one sparse factorisation, then per iteration one 3 x 3 rotation per point and one
+ * Cost: one sparse factorization, then per iteration one 3 x 3 rotation per point and one
  * triangular solve.
  *
  * @sa vtkCubicStyleFilter vtkSphericalStyleFilter vtkPlatonicSolidSource

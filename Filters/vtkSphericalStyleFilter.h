@@ -91,7 +91,7 @@
  * Cost: a pass over the triangles, sums over the samples of a grid, and a factor of one to some ten
  * thousand unknowns, whatever the number of points; it is kept between executions, so that a new
  * Roundness, Center or NormalBlend takes a seventh of the first result (.3 s at 949 000 points on
- * one thread). The energy costs a sparse factorisation of the mesh (about n log n), then per
+ * one thread). The energy costs a sparse factorization of the mesh (about n log n), then per
  * iteration one rotation per point and one triangular solve.
  *
  * A warning names the first point of parts that keep less than a tenth of their thickness without
@@ -224,9 +224,9 @@ public:
   ///@{
   /**
    * Scale the result so that this stays what it was [size]: Area (default), Volume (an error where
-   * none is enclosed) or Extent (along UpAxis); Off does not scale. The center of the scaling is the
-   * mean of the points, each with a third of the rest area of its triangles. With a region it is the
-   * region that is measured and scaled, before its border fades.
+   * none is enclosed) or Extent (along UpAxis); Off does not scale. The center of the scaling is
+   * the mean of the points, each with a third of the rest area of its triangles. With a region it
+   * is the region that is measured and scaled, before its border fades.
    */
   vtkSetClampMacro(KeepSize, int, NO_SIZE, EXTENT);
   vtkGetMacro(KeepSize, int);

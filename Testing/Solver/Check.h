@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Counts what fails and says what should have been. A test returns CheckResult() from main.
+///
+/// Why not doctest (2.4, measured): it takes as long to compile (1.3 s for 60 checks, 1.5 s here),
+/// and of what it has beyond these macros, cases and their selection, CTest has as much: a test
+/// here is a program.
 #ifndef SphericalStyle_Check_h
 #define SphericalStyle_Check_h
 

@@ -87,7 +87,7 @@ bool AndersonAcceleration::Mix(const Points& x, const Points& g, Points& mixed)
   }
   this->AddStep(x, g);
   // min | residual - sum gamma_j step_j |: normal equations of at most Window unknowns, columns
-  // scaled to one, nearly dependent ones dropped by the rank-revealing factorisation.
+  // scaled to one, nearly dependent ones dropped by the rank-revealing factorization.
   const Eigen::VectorXd size = this->Gram.diagonal().cwiseSqrt();
   if (!(size.minCoeff() > 0.0))
   {

@@ -68,7 +68,7 @@ void CheckSizeAsWritten(const OneRings& rings)
       std::to_string(NonlinearFeature::MaximumDenseEntriesAsWritten) + " entries in such rows");
 }
 
-/// Factorisations done and their time.
+/// Factorizations done and their time.
 struct Effort
 {
   int analyses = 0;

@@ -86,7 +86,7 @@ public:
   /// Whether the rest normals point toward o on the mean: faces turned inward, whose cells have to
   /// turn over.
   bool HasInwardNormals() const;
-  /// Symbolic and numeric factorisations since the triangles were set.
+  /// Symbolic and numeric factorizations since the triangles were set.
   int GetNumberOfAnalyses() const;
   int GetNumberOfFactorizations() const;
 

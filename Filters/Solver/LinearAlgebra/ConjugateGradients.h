@@ -15,6 +15,12 @@ namespace SphericalStyle
 /// Every step lowers 1/2 tr X^T A X - tr X^T B. Once the last steps together lowered it by less
 /// than a share of what the solve has lowered it by, the rest is left: the next solve of the loop
 /// starts from there.
+///
+/// Why not the algebraic multigrid of hypre (2.26, measured): it is better. Slivers of 98,000
+/// points reach a residual of 1e-6 in 17 steps and .8 s there, and stay above 1e-3 after 1000 steps
+/// and 4.6 s here, which the caller reports. But Debian's library needs MPI to be initialized,
+/// which a filter must not do for its program. Nothing in closed form is solved this way: it is for
+/// energies whose factor would take more than half of the machine's memory.
 class ConjugateGradients
 {
 public:

@@ -43,7 +43,7 @@ public:
   /// Bytes that a factor may take with Automatic. Default: half of the machine's memory.
   void SetLargestFactor(double bytes) { this->LargestFactor = bytes; }
 
-  /// Ordering and symbolic factorisation of A's pattern.
+  /// Ordering and symbolic factorization of A's pattern.
   /// @throw SolverError if it must be factored and is too large for that
   /// @throw std::bad_alloc  what solves does not depend on the memory that happens to be free
   void Analyze(const Matrix& A);

@@ -303,7 +303,7 @@ const Steps& StepsFor([[maybe_unused]] InstructionSet set)
   return Baseline::All;
 }
 
-//---------------------------------------------------------------------------------- factorisation
+//---------------------------------------------------------------------------------- factorization
 constexpr double SmallestShared = 4e6; // operations of a front that is worth several threads
 
 class Factorization

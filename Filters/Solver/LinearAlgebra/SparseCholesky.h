@@ -43,13 +43,13 @@ public:
   /// What solves: "multifrontal LLT" or "Eigen LDLT", with "in single precision".
   const char* GetName() const;
 
-  /// Ordering and symbolic factorisation of A's pattern. @throw SolverError if it is too large to
+  /// Ordering and symbolic factorization of A's pattern. @throw SolverError if it is too large to
   /// be counted
   void Analyze(const Matrix& A);
   /// Bytes that a factor of the pattern of Analyze takes in double precision; 0 with
   /// Eigen, where it is not known before it is factored.
   double GetFactorBytes() const;
-  /// Numeric factorisation; the pattern must be that of Analyze. Keeps double precision where
+  /// Numeric factorization; the pattern must be that of Analyze. Keeps double precision where
   /// GetError would be above 1e-3 with single precision. @throw SolverError if A is singular
   void Factor(const Matrix& A, Precision precision = Precision::Double, int threads = 1);
   /// What Factor has kept.

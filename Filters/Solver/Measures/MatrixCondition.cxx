@@ -37,7 +37,7 @@ Vector StartVector(Eigen::Index n)
   return x;
 }
 
-/// Largest eigenvalue of a positive semidefinite operator. No vectors are kept and orthogonalised:
+/// Largest eigenvalue of a positive semidefinite operator. No vectors are kept and orthogonalized:
 /// what rounding then does is to find the outermost eigenvalues more than once (Paige 1972), and
 /// the bound |beta s| on their distance holds all the same.
 Eigenvalue LargestEigenvalue(const Operator& A, const Vector& start, double tolerance)

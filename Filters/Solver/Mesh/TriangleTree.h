@@ -18,6 +18,11 @@ namespace SphericalStyle
 /// through their centers (C. Lauterbach et al., Fast BVH construction on GPUs, 2009).
 ///
 /// Cost: sorting of the triangles, 30 bytes each that stay.
+///
+/// Why not Embree (3.13, measured): its rays take a twentieth of the time, but there are only some
+/// ten thousand of them, one for each sample of a grid, and its tree takes 4 to 5 times as long to
+/// build. Tree and rays together: 98,000 points .11 s here and .09 s there, 949,000 points .31 s
+/// and .65 s. It works in single precision, and another processor may choose another triangle.
 class TriangleTree
 {
 public:

@@ -317,7 +317,7 @@ void TestDescent()
           what.str() << ": sum of the cell energies");
         CHECK(feature.GetNumberOfAnalyses() == 1 && feature.GetNumberOfFactorizations() == 30,
           what.str() << ": " << feature.GetNumberOfAnalyses() << " symbolic and "
-                     << feature.GetNumberOfFactorizations() << " numeric factorisations");
+                     << feature.GetNumberOfFactorizations() << " numeric factorizations");
       }
     }
   }
@@ -501,7 +501,7 @@ void TestReuse()
   NonlinearFeature kept;
   NonlinearOptions options;
   Run(kept, Meshes::House(), options);
-  CHECK(kept.GetNumberOfAnalyses() == 1, "one symbolic factorisation for a mesh");
+  CHECK(kept.GetNumberOfAnalyses() == 1, "one symbolic factorization for a mesh");
   for (const double lambda : { 0.1, 2.0 })
   {
     for (const double stretch : { 1.0, 1.3 })
@@ -515,7 +515,7 @@ void TestReuse()
         "lambda " << lambda << ", stretch " << stretch << ": a kept solver differs");
     }
   }
-  CHECK(kept.GetNumberOfAnalyses() == 1, "lambda and points keep the symbolic factorisation");
+  CHECK(kept.GetNumberOfAnalyses() == 1, "lambda and points keep the symbolic factorization");
   Run(kept, Meshes::Box(3), options);
   CHECK(kept.GetNumberOfAnalyses() == 1, "other triangles are analyzed anew");
 }

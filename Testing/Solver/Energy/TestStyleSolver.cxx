@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The solver as a whole: what it keeps between solves, what its results must not depend on, and
-// what it refuses. Also the two backends of the factorisation.
+// what it refuses. Also the two backends of the factorization.
 #include "Check.h"
 #include "FixedIterations.h"
 #include "Meshes.h"

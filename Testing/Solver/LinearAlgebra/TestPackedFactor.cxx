@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Solving with a packed supernodal factor, against the dense matrix that the factor stands for. Any
-// lower triangular blocks make a factor: they need not come from a factorisation.
+// lower triangular blocks make a factor: they need not come from a factorization.
 #include "Check.h"
 #include "Meshes.h"
 #include "PackedFactor.h"
