@@ -6,8 +6,11 @@
 
 #include "vtkWeakPointer.h"
 
+#include <cstddef>
+
 #if defined(SANITIZED)
-#include <sanitizer/allocator_interface.h>
+// Of sanitizer/allocator_interface.h, which Clang installs and GCC does not.
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes(); // NOLINT(*-reserved-identifier)
 #define COUNTS_BYTES
 #elif defined(__GLIBC__) && __GLIBC_PREREQ(2, 33) // mallinfo2
 #include <malloc.h>
