@@ -355,7 +355,7 @@ def write(folder, sections, facts):
         with model_files.whole(folder / chapter_file(chapter)) as part:
             part.write_text(page(TITLES[chapter], body, navigation), encoding="utf-8")
     with model_files.whole(folder / "index.html") as part:
-        part.write_text(page("The experiments of the thesis, run again", overview(chapters, facts), navigation),
+        part.write_text(page("The experiments of the thesis, reproduced", overview(chapters, facts), navigation),
                         encoding="utf-8")
 
 
