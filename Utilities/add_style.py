@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Adds a filter of a new style: class, term, panel, icon, page, tests, and their places in tables and pages.
+"""Adds a filter for a new style: class, term, panel, icon, page and tests, and lists them in tables and pages.
 
-The style is a term of the local step made of target normals; Filters/Documentation/AddAStyle.md says what to do
-next. What is added builds, and leaves every model as it is: the style itself is yours.
+The style is a term of the local step, defined by target normals. The generated code builds, but leaves every model as
+it is: you implement the style itself. Filters/Documentation/AddAStyle.md describes the next steps.
 
 usage: Utilities/add_style.py "Block Style" --weight Blockiness --brief "Turn each part of a surface into blocks"
 """
@@ -14,7 +14,7 @@ import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-# Template and the place of what it makes.
+# Each template, and the file that is made from it.
 FILES = {
     "Term.h": "Filters/Solver/Energy/@Term@.h",
     "Term.cxx": "Filters/Solver/Energy/@Term@.cxx",
@@ -26,7 +26,8 @@ FILES = {
     "Icon.svg": "ParaViewPlugin/Icons/@Name@.svg",
     "Page.md": "Filters/Documentation/@Page@.md",
 }
-# Tables and lists: the file, and what comes between two texts, where they first are in a row.
+# Entries in tables and lists: the file, the text before, the new entry, and the text after. The entry goes to the
+# first place where the text after directly follows the text before.
 PLACES = [
     ("Filters/filters.json", "", """\
     {
@@ -59,16 +60,16 @@ def fail(message):
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("label", help='name in menus, such as "Block Style"')
-    parser.add_argument("--weight", required=True, help="property that says how strong the style is: Blockiness")
-    parser.add_argument("--brief", required=True, help="what it does, in one line without a period")
-    parser.add_argument("--root", type=pathlib.Path, default=HERE.parent, help="the project's folder (this one)")
+    parser.add_argument("--weight", required=True, help="property that sets how strong the style is, such as Blockiness")
+    parser.add_argument("--brief", required=True, help="what the filter does, in one line without a period")
+    parser.add_argument("--root", type=pathlib.Path, default=HERE.parent, help="the project's folder (default: this one)")
     chosen = parser.parse_args()
     if not re.fullmatch(r"[A-Z][a-z]+( [A-Z][a-z]+)+", chosen.label):
-        fail(f"the label {chosen.label!r} should be two words or more, each with a capital: Block Style")
+        fail(f"the label {chosen.label!r} must have two or more words, each with a capital letter, like Block Style")
     if not re.fullmatch(r"[A-Z][A-Za-z]+", chosen.weight):
-        fail(f"the weight {chosen.weight!r} should be the name of a property: Blockiness")
+        fail(f"the weight {chosen.weight!r} must be the name of a property, like Blockiness")
     if not re.fullmatch(r"[A-Z][^\n|]{10,80}[^\n|.]", chosen.brief):
-        fail("the brief should begin with a capital, fit into a line and end without a period")
+        fail("the brief must start with a capital letter, have 12 to 82 characters and end without a period")
     return chosen
 
 
@@ -85,23 +86,24 @@ def main():
             text = text.replace(f"@{word}@", value)
         return text
 
-    # All is made before anything is written.
+    # Everything is prepared before the first file is written.
     changed = {}
     for template, place in FILES.items():
         path = chosen.root / filled(place)
         if path.exists():
-            fail(f"there is a {path} already")
+            fail(f"{path} already exists")
         changed[path] = filled((HERE / "StyleTemplate" / (template + ".in")).read_text())
     for place, before, more, behind in PLACES:
         path = chosen.root / place
         text = changed.get(path) or path.read_text()
         if before + behind not in text:
-            fail(f"{path} should have this, to add to it:\n{before}{behind}")
+            fail(f"{path} does not contain the text next to which the entry belongs:\n{before}{behind}")
         changed[path] = text.replace(before + behind, before + filled(more) + behind, 1)
     for path, text in changed.items():
         path.write_text(text)
         print(path.relative_to(chosen.root))
-    print(f"\nNext: the targets of {term}.cxx, and what grep -rn TODO finds. See Filters/Documentation/AddAStyle.md.")
+    print(f"\nNext, write the targets in {term}.cxx, and complete what grep -rn TODO finds. "
+          "See Filters/Documentation/AddAStyle.md.")
 
 
 if __name__ == "__main__":

@@ -4,21 +4,21 @@
 #
 # usage: Utilities/check.sh [--fix] [--quick | --tidy] [--since REF] [--seconds N]
 #
-# Layers, format, American spelling, shell scripts, YAML, documentation, columns of pages, and clang-tidy of our own
-# C++: everything in the repository. Exit code 1 if something is wrong, or if a tool is missing
-# (Utilities/setup.sh --checks).
+# Checks the complete repository: layers, format, American spelling, shell scripts, YAML, documentation, line lengths
+# of pages, and our own C++ with clang-tidy. The exit code is 1 if a check fails or a tool is missing
+# (Utilities/setup.sh --checks installs them).
 #   --fix        correct the format first
-#   --quick      without clang-tidy: seconds
-#   --tidy       clang-tidy and nothing else
-#   --since REF  clang-tidy only of what changed since that commit, and of what includes it
-#   --seconds N  clang-tidy begins no further file after that time; it says which ones are left
-# clang-tidy works in build-dev/, which is configured here; nothing has to be built.
+#   --quick      leave out clang-tidy; takes seconds
+#   --tidy       run only clang-tidy
+#   --since REF  run clang-tidy only on files that changed since that commit and on files that include them
+#   --seconds N  let clang-tidy start no further file after that time; it lists the files that are left
+# The script configures build-dev/ for clang-tidy. You need not build anything.
 #
-# A source takes clang-tidy 24 s of processor time (mean of 60 of the 167, clang-tidy 14), so all of them about 33
-# minutes with two processes: it matches its checks against all that VTK, Eigen and CGAL declare, and no check alone takes
-# a tenth of it. None is dropped, then, and tests have findings as well as filters. But a file that was clean is
-# not looked at again until something that it includes changes, and CI gives it the files of the change and a time
-# (.ci/run); .github/workflows/tidy.yml looks at all of them once a week.
+# clang-tidy takes 24 s of processor time per source file (mean of 60 of the 167, clang-tidy 14), so about 33 minutes
+# for all of them with two processes. It matches its checks against everything that VTK, Eigen and CGAL declare. No
+# single check takes a tenth of that time, so dropping one would not help, and the tests have findings just as the
+# filters do. Instead, a file that was clean is skipped until something that it includes changes. CI checks only the
+# files of a change, within a time limit (.ci/run); .github/workflows/tidy.yml checks all files once a week.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 
@@ -54,12 +54,13 @@ for tool in "${tools[@]}"; do
 done
 /usr/bin/python3 -c 'import yaml' 2>/dev/null || missing+=(python3-yaml)
 if [ ${#missing[@]} -gt 0 ]; then
-  echo "Not checked, since these are missing: ${missing[*]}. Utilities/setup.sh --checks installs them." >&2
+  echo "Nothing was checked, since tools are missing: ${missing[*]}. Utilities/setup.sh --checks installs them." >&2
   exit 1
 fi
 git rev-parse --git-dir >/dev/null || exit 1
 
-# files PATTERN... : of the repository, and new ones that git does not ignore; in the array "found".
+# files PATTERN... : puts the matching files of the repository, and new ones that git does not ignore, into the array
+# "found".
 files()
 {
   local name
@@ -73,7 +74,7 @@ scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 
 status=0
-# check TITLE COMMAND... : says what passes and what does not, and goes on.
+# check TITLE COMMAND... : reports whether the command passes, and continues either way.
 check()
 {
   local title=$1
@@ -86,14 +87,14 @@ check()
   fi
 }
 
-# forbid PATTERN FOLDERS... : no header of that pattern in angle brackets or quotes
+# forbid PATTERN FOLDERS... : fails if a file includes a header that matches the pattern
 forbid()
 {
   ! grep -rnE "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]$1" --include='*.h' --include='*.cxx' "${@:2}" >&2
 }
 
-# Filters/README.md says who may include whom. The include path keeps VTK out of solver and geometry, but not CGAL,
-# which lies in the compiler's own path, and not our own headers, which can be named by any path.
+# Filters/README.md says who may include whom. The include path keeps VTK out of solver and geometry. It cannot keep
+# out CGAL, which is in the compiler's default path, or our own headers, which any relative path can name.
 layers()
 {
   local geometry wrong=0
@@ -105,7 +106,7 @@ layers()
   mapfile -d '' -t found <"$scratch/files"
   forbid 'CGAL/' "${found[@]}" || wrong=1
   forbid 'pq' Filters || wrong=1
-  [ "$wrong" -eq 0 ] || echo "These includes go against the layers in Filters/README.md." >&2
+  [ "$wrong" -eq 0 ] || echo "These includes violate the layers in Filters/README.md." >&2
   return "$wrong"
 }
 
@@ -120,7 +121,7 @@ spelling()
 {
   files ':!*.png' ':!*.vtp' ':!*.ply' ':!*.stl' ':!*.svg' ':!Testing/Fuzz/Corpus'
   codespell "${found[@]}" || return 1
-  # Of verbs in -ise codespell knows only the commonest.
+  # codespell knows only the most common verbs in -ise.
   ! grep -nIE '(factor|orthogonal|triangul|discret|paramet[r]|symmetr|regular|stabil)is(e|ed|es|ing|ation|ations)\b' \
     "${found[@]}" >&2
 }
@@ -142,7 +143,7 @@ scripts()
 yaml()
 {
   files '*.yml' '*.yaml' '*.cff'
-  # mkdocs.yml has tags of MkDocs, which reads it below.
+  # mkdocs.yml contains tags that only MkDocs understands; MkDocs reads it below.
   /usr/bin/python3 -c '
 import sys, yaml
 wrong = 0
@@ -160,7 +161,7 @@ documentation()
   Utilities/docs.sh "$scratch/site"
 }
 
-# Lines of pages, but for code, tables and lines that are a link or an address.
+# Checks line lengths of pages, except code, tables, and lines that consist of a link or an address.
 columns()
 {
   files '*.md'
@@ -173,7 +174,7 @@ columns()
 run_tidy()
 {
   local log
-  # What is generated when configuring is all that clang-tidy needs besides the sources.
+  # Besides the sources, clang-tidy needs only what configuring generates.
   if ! log=$(cmake --preset dev -DSPHERICALSTYLE_BUILD_TESTING=ON 2>&1); then
     printf '%s\n' "$log" >&2
     return 1

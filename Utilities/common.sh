@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What the scripts of this folder share; sourced, not run.
+# Code that the scripts of this folder share. Source this file; do not run it.
 # shellcheck shell=bash
 #
-#   BUILD_DIR    build folder, relative to the project's (default: build)
+#   BUILD_DIR    build folder, relative to the project's folder (default: build)
 #   VERBOSE=1    show everything the steps print
-#   SKIP_SETUP=1 install nothing, go on with what the machine has
+#   SKIP_SETUP=1 install nothing and use what the machine has
 
 set -euo pipefail
 
@@ -19,17 +19,17 @@ esac
 VERBOSE=${VERBOSE:-}
 SKIP_SETUP=${SKIP_SETUP:-}
 
-# Settings for another Python would confuse Debian's, which ParaView is linked with.
+# Settings for another Python would break Debian's Python, with which ParaView is linked.
 unset PYTHONHOME PYTHONPATH
 
-# Software rendering: the same picture on every machine, with or without a graphics card.
+# Software rendering gives the same picture on every machine, with or without a graphics card.
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
 
 step_number=0
 step_count=0 # set by the script
 
-# step TITLE LOG COMMAND... : runs the command quietly, its output in $build/LOG.
-# Ends the script if the command fails, with the last lines of the log.
+# step TITLE LOG COMMAND... : runs the command quietly and writes its output to $build/LOG.
+# If the command fails, prints the last lines of the log and ends the script.
 step()
 {
   local title=$1 log=$build/$2 start=$SECONDS status
@@ -37,7 +37,7 @@ step()
   mkdir -p "$build"
   step_number=$((step_number + 1))
   printf '[%d/%d] %s ... ' "$step_number" "$step_count" "$title"
-  set +e # and on again inside: after a || the shell would not stop at a failing line
+  set +e # and set -e in the subshell: after || the shell would not stop at a failing line
   if [ -n "$VERBOSE" ]; then
     printf '\n'
     (set -e; "$@") 2>&1 | tee "$log"
@@ -50,14 +50,14 @@ step()
   if [ "$status" -ne 0 ]; then
     printf 'failed after %d s\n' "$((SECONDS - start))"
     [ -n "$VERBOSE" ] || tail -n 60 "$log"
-    printf '\nThe step "%s" failed (exit code %d). Everything it printed: %s\n' \
+    printf '\nThe step "%s" failed (exit code %d). Its complete output is in %s\n' \
       "$title" "$status" "$log" >&2
     exit 1
   fi
   printf '%d s\n' "$((SECONDS - start))"
 }
 
-# set_up [OPTIONS OF setup.sh] : not a step of its own if SKIP_SETUP is set.
+# set_up [OPTIONS OF setup.sh] : runs setup.sh, unless SKIP_SETUP is set.
 set_up()
 {
   if [ -n "$SKIP_SETUP" ]; then
@@ -67,13 +67,13 @@ set_up()
   fi
 }
 
-# The preset's name, then what else CMake is to know. CMake reads presets in the project's folder.
+# configure PRESET [OPTIONS OF cmake] : runs in the project's folder, where CMake looks for presets.
 configure()
 {
   (cd "$project" && cmake --preset "$1" -B "$build" "${@:2}")
 }
 
-# A command with an X server of its own. -noreset: else the server may end between two clients.
+# Runs a command with its own X server. Without -noreset the server may end between two clients.
 with_display()
 {
   xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$@"
@@ -84,7 +84,7 @@ minutes()
   printf '%d min %d s' "$((SECONDS / 60))" "$((SECONDS % 60))"
 }
 
-# take_test_options OPTIONS... : -h shows the script's head, -v is ours, the rest is for ctest.
+# take_test_options OPTIONS... : -h prints the script's usage, -v sets VERBOSE, all others go to ctest.
 take_test_options()
 {
   ctest_options=()
@@ -101,10 +101,10 @@ take_test_options()
   done
 }
 
-# The last step of a script that tests, and what came of it.
+# Runs the tests as the last step of a script, and prints a summary.
 run_tests()
 {
-  # Two at once: the tests use threads of their own.
+  # Only two at a time, since the tests themselves use several threads.
   step "Testing" test.log \
     ctest --test-dir "$build" --output-on-failure --no-tests=error --parallel 2 "${ctest_options[@]}"
   local skipped

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Round a mesh and show it: the driver of Utilities/demo.sh, which see.
+"""Round a mesh and make pictures of it. Utilities/demo.sh runs this script.
 
 usage: pvpython demo.py MESH OUTPUT_FOLDER [--up x|y|z] [--view DEGREES]
 """
@@ -26,7 +26,7 @@ def demo(arguments):
     folder.mkdir(parents=True, exist_ok=True)
 
     start = time.perf_counter()
-    style = rounded(surface)  # as it comes
+    style = rounded(surface)  # default settings
     seconds = time.perf_counter() - start
     result = style.GetOutput()
     print(f"{arguments.mesh.name}: {surface.GetNumberOfPoints()} points, "
@@ -52,12 +52,12 @@ def demo(arguments):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Round a mesh and show it.")
+    parser = argparse.ArgumentParser(description="Round a mesh and make pictures of it.")
     parser.add_argument("mesh", type=pathlib.Path)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--up", choices="xyz", default="y", help="axis that points up")
     parser.add_argument("--view", type=float, default=25.0,
-                        help="where the camera stands, degrees around the up axis from the front")
+                        help="angle of the camera around the up axis, in degrees from the front")
     try:
         demo(parser.parse_args())
     except (ModelError, OSError) as error:

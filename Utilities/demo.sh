@@ -4,11 +4,11 @@
 #
 # usage: Utilities/demo.sh [MESH] [--up x|y|z] [--view DEGREES]
 #
-# Installs what is missing, builds, and rounds MESH (ply, stl, obj, vtk or vtp; default: the model
-# Data/creature.vtp). Mesh and pictures go to demo-output/ of the project.
+# Installs missing packages, builds, and rounds MESH (ply, stl, obj, vtk or vtp; default:
+# Data/creature.vtp). Writes the rounded mesh and pictures to demo-output/ in the project's folder.
 #   --up    axis of the model that points up (default y)
-#   --view  where the camera stands, degrees around that axis (default 25)
-# VERBOSE=1 shows everything.
+#   --view  angle of the camera around that axis, in degrees (default 25)
+# VERBOSE=1 shows everything that the steps print.
 for option in "$@"; do
   case $option in
     -h | --help)
@@ -19,10 +19,10 @@ for option in "$@"; do
 done
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-# The user's path is meant from where the user stands, and a wrong one is to be told at once.
+# The path is relative to the user's current folder. Check it now, not after the build.
 if [ $# -gt 0 ] && [[ $1 != --* ]]; then
   mesh=$(realpath -- "$1") && [ -r "$mesh" ] && [ ! -d "$mesh" ] || {
-    echo "No such file, or it cannot be read: $1" >&2
+    echo "This file does not exist or cannot be read: $1" >&2
     exit 1
   }
   shift
@@ -40,10 +40,10 @@ run_demo()
 step_count=4
 set_up
 step "Configuring" configure.log configure release
-# Not the tests, if the folder has them: rounding a model should not wait for them.
+# Build only what the demo needs: tests, if configured in this folder, would take longer.
 step "Building" build.log cmake --build "$build" --target SphericalStyleFiltersPython SphericalStyle
 step "Rounding $(basename "$mesh")" demo.log run_demo "$@"
 
-# What was done and where it is; in verbose mode it has been seen already.
+# Print the results and the names of the files; in verbose mode the user has seen them already.
 [ -n "$VERBOSE" ] || cat "$build/demo.log"
 echo "Done in $(minutes)."

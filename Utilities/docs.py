@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What Utilities/docs.sh does before and after MkDocs.
+"""Prepares the pages for MkDocs and checks the finished site. Utilities/docs.sh runs this script.
 
-    docs.py pages PROJECT PAGES   copies the pages of the project and what they link to
-    docs.py links SITE            follows every link of the site, anchors included
+    docs.py pages PROJECT PAGES   copies the pages of the project and everything they link to
+    docs.py links SITE            checks every link of the site, including anchors
 """
 import html.parser
 import pathlib
@@ -42,7 +42,7 @@ def code_block(project, file):
 
 
 class Pages:
-    """The pages of a project in a folder of their own; what else they link to becomes a page."""
+    """Copies the pages of a project to a folder. Other files that they link to become pages as well."""
 
     def __init__(self, project, folder):
         self.project, self.folder = project, folder
@@ -55,7 +55,7 @@ class Pages:
         target.write_text(text)
 
     def show(self, path):
-        """The page of a file of source code, or of all files of a folder."""
+        """Makes a page that shows a source file, or all files of a folder."""
         page = path.parent / f"{path.name.lstrip('.')}.md" # MkDocs leaves out what starts with a dot
         if path in self.shown:
             return page
@@ -72,7 +72,7 @@ class Pages:
         return page
 
     def link(self, page, address):
-        """The address that a link of a page has in the site; itself where there is nothing to do."""
+        """The address of a page's link in the site; the address itself if it need not change."""
         parts = urllib.parse.urlsplit(address)
         if parts.scheme or parts.netloc or not parts.path:
             return address
@@ -85,10 +85,10 @@ class Pages:
                 target.append(part)
         path = pathlib.PurePosixPath(*target)
         if path.suffix == ".md" or path.suffix in PICTURES:
-            return address # MkDocs says so if it is not there
+            return address # MkDocs reports it if it is missing
         shown = path / "README.md" if path / "README.md" in self.files else self.show(path)
         if shown is None:
-            sys.exit(f"{page}: nothing is at {address}")
+            sys.exit(f"{page}: broken link {address}")
         return "../" * depth + str(shown) + (f"#{parts.fragment}" if parts.fragment else "")
 
     def convert(self, page):
@@ -107,7 +107,7 @@ class Pages:
         lost = [str(file) for file in sorted(self.files)
                 if file.suffix == ".md" and not file.parts[0].startswith(".") and f": {file}\n" not in navigation]
         if lost:
-            sys.exit(f"mkdocs.yml has no place in nav for {', '.join(lost)}")
+            sys.exit(f"mkdocs.yml does not list these pages under nav: {', '.join(lost)}")
         for file in sorted(self.files):
             if file.parts[0].startswith("."):
                 continue
@@ -120,7 +120,7 @@ class Pages:
 
 
 class Links(html.parser.HTMLParser):
-    """What a page of the site links to, and the anchors it has."""
+    """The links and the anchors of a page of the site."""
 
     def __init__(self, text):
         super().__init__()
@@ -139,24 +139,24 @@ def check_links(site):
     pages = {file.resolve(): Links(file.read_text()) for file in site.rglob("*.html")}
     wrong = []
     for file, links in sorted(pages.items()):
-        if file.name == "404.html": # its addresses are those of a server
+        if file.name == "404.html": # its addresses work only on a server
             continue
         for tag, address in links.addresses:
             parts = urllib.parse.urlsplit(address)
             name = file.relative_to(site.resolve())
             if parts.scheme or parts.netloc:
-                # Something to go to is all right, something to fetch is not: the site works without a network.
+                # Links to other sites are fine, but nothing may be loaded from them: the site works without a network.
                 if tag != "a" and parts.scheme != "data":
-                    wrong.append(f"{name}: fetches {address}")
+                    wrong.append(f"{name}: loads {address} from the network")
                 continue
             target = (file.parent / urllib.parse.unquote(parts.path)).resolve() if parts.path else file
             if not target.is_file():
-                wrong.append(f"{name}: nothing is at {address}")
+                wrong.append(f"{name}: broken link {address}")
             elif target in pages and urllib.parse.unquote(parts.fragment) not in pages[target].anchors:
                 wrong.append(f"{name}: {target.name} has no #{parts.fragment}")
     for line in wrong:
         print(line, file=sys.stderr)
-    print(f"{len(pages)} pages, {sum(len(links.addresses) for links in pages.values())} links, {len(wrong)} wrong")
+    print(f"{len(pages)} pages, {sum(len(links.addresses) for links in pages.values())} links, {len(wrong)} broken")
     return 1 if wrong or not pages else 0
 
 

@@ -4,13 +4,15 @@
 #
 # usage: Utilities/setup.sh [--plain-vtk | --packages | --benchmarks | --checks | --docs]
 #
-# Installs what building, testing and the demo need on Debian 12 and is not there yet; does nothing
-# if all of it is there. --plain-vtk: also what Utilities/test-plain-vtk.sh needs;
-# --packages: what Utilities/test-packages.sh needs; --benchmarks: what Benchmarks/ needs, and the
-# peers that it compares with; --checks: what Utilities/check.sh and the checks of Testing/README.md
-# need; --docs: what Utilities/docs.sh needs, and only that.
-# ANY_RELEASE=1 tries it on other releases of Debian, where nothing is tested.
-# Takes sudo if it is not run as root. On other systems: install the like of the packages below.
+# Installs the missing Debian 12 packages for building, testing and the demo; does nothing if all are
+# installed.
+#   --plain-vtk   also install what Utilities/test-plain-vtk.sh needs
+#   --packages    also install what Utilities/test-packages.sh needs
+#   --benchmarks  also install what Benchmarks/ needs, and the libraries that it compares with
+#   --checks      also install what Utilities/check.sh and the checks in Testing/README.md need
+#   --docs        install only what Utilities/docs.sh needs
+# ANY_RELEASE=1 tries other releases of Debian, on which we do not test.
+# Uses sudo if you are not root. On other systems, install the equivalents of the packages below.
 set -euo pipefail
 
 packages=(
@@ -21,7 +23,7 @@ packages=(
   libopenmpi-dev openmpi-bin paraview paraview-dev python3-paraview
   # what makes the plugin's help pages, icons and widgets
   qhelpgenerator-qt5 qtbase5-dev qtxmlpatterns5-dev-tools
-  # headers that VTK's rendering modules ask for; the tests compare pictures
+  # headers that VTK's rendering modules require; the tests compare pictures
   libfreetype-dev libgl-dev libglew-dev libjpeg-dev libopengl-dev libpng-dev libx11-dev libxext-dev
   # a screen for tests and demo: X server, software OpenGL, icons, a mouse
   libgl1-mesa-dri libqt5svg5 xauth xdotool xvfb
@@ -32,9 +34,9 @@ documentation=(mkdocs mkdocs-material python3-pymdownx)
 case ${1:-} in
   "") ;;
   --plain-vtk)
-    # The run-time half of VTK 9.1 brings the libraries it depends on. Its other half, libvtk9-dev,
-    # cannot be installed beside ParaView's Python: the test unpacks it into the build folder. The
-    # headers are those its CMake package asks for.
+    # The run-time packages of VTK 9.1 install the libraries that VTK depends on. libvtk9-dev cannot
+    # be installed together with ParaView's Python, so the test unpacks it into the build folder. The
+    # -dev packages here have the headers that VTK's CMake package requires.
     packages+=(libvtk9.1 libvtk9.1-qt
       libdouble-conversion-dev libjsoncpp-dev liblz4-dev liblzma-dev libtbb-dev libutfcpp-dev)
     ;;
@@ -54,18 +56,18 @@ esac
 give_up()
 {
   printf '%s\n' "$@" >&2
-  echo "To go on without this script set SKIP_SETUP=1; it installs:" >&2
+  echo "To continue without this script, set SKIP_SETUP=1 and install these packages yourself:" >&2
   printf '%s\n' "${packages[*]}" | fold -s -w 100 | sed 's/^/  /' >&2
   exit 1
 }
 
 command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||
-  give_up "This script knows Debian 12 and its apt-get, which is not here."
+  give_up "This script needs Debian 12 and its apt-get, which was not found."
 
 missing=()
 for package in "${packages[@]}"; do
   status=$(dpkg-query --show --showformat '${db:Status-Status}' "$package" 2>/dev/null) || true
-  # dpkg-query says it once for each architecture that the package is installed for.
+  # dpkg-query prints the status once for each architecture for which the package is installed.
   [[ $status == installed* ]] || missing+=("$package")
 done
 if [ ${#missing[@]} -eq 0 ]; then
@@ -76,12 +78,12 @@ fi
 release=$(. /etc/os-release 2>/dev/null && echo "${ID:-?} ${VERSION_ID:-?}") ||
   release="unknown system"
 [ "$release" = "debian 12" ] || [ -n "${ANY_RELEASE:-}" ] ||
-  give_up "This script knows Debian 12; here is: $release. Missing: ${missing[*]}"
+  give_up "This script supports Debian 12, but this is: $release. Missing packages: ${missing[*]}"
 
 sudo=()
 if [ "$(id -u)" -ne 0 ]; then
   command -v sudo >/dev/null ||
-    give_up "Installing packages needs root: run Utilities/setup.sh as root, or install sudo."
+    give_up "Installing packages requires root: run Utilities/setup.sh as root, or install sudo."
   sudo=(sudo)
 fi
 apt_get()
@@ -91,6 +93,6 @@ apt_get()
 }
 
 echo "Installing: ${missing[*]}"
-apt_get update || give_up "apt-get update failed. Is there a network, and is apt set up?"
+apt_get update || give_up "apt-get update failed. Is there a network connection, and is apt configured?"
 apt_get install -y --no-install-recommends "${missing[@]}" </dev/null ||
   give_up "apt-get could not install: ${missing[*]}"

@@ -4,14 +4,15 @@
 #
 # usage: Utilities/test-packages.sh [-v]
 #
-# Makes the Debian packages and tries them in a clean Debian 12 (mmdebstrap, below BUILD_DIR): ParaView
-# and Python find the filters without any variable, in script and window, a C++ program builds outside the
-# project and runs, and nothing is left after removal. Needs root, 4 GB of disk and the Debian archive (another than usual: DEBIAN_MIRROR=URL).
+# Builds the Debian packages and tests them in a clean Debian 12 (made by mmdebstrap in BUILD_DIR): ParaView
+# and Python must find the filters without any environment variable, in scripts and in the window; a C++
+# program outside the project must build and run; and removing the packages must leave no file behind. Needs
+# root, 4 GB of disk space and the Debian archive (DEBIAN_MIRROR=URL chooses another mirror).
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 take_test_options "$@"
 if [ "$(id -u)" -ne 0 ]; then
-  echo "Making a Debian to test in needs root: sudo Utilities/test-packages.sh" >&2
+  echo "Creating a Debian system for the tests requires root: sudo Utilities/test-packages.sh" >&2
   exit 1
 fi
 root=$build/debian
@@ -26,14 +27,14 @@ make_debian()
 {
   rm -rf --one-file-system "$root"
   mmdebstrap --variant=minbase --dpkgopt=force-unsafe-io bookworm "$root" ${DEBIAN_MIRROR:-}
-  echo "127.0.0.1 localhost" >"$root/etc/hosts" # minbase is without
+  echo "127.0.0.1 localhost" >"$root/etc/hosts" # minbase does not have this file
   mkdir -p "$root/tmp/test"
   cp "$build"/packages/*.deb "$project"/Testing/Install/TestInstalled.py \
     "$project"/Testing/Python/TestImport.py "$project"/Testing/XML/*.xml "$root/tmp/test"
   chown -R nobody "$root/tmp/test"
 }
 
-# in_debian COMMAND... : as root of the new Debian. The mounts are gone when the command is.
+# in_debian COMMAND... : runs it as root in the new Debian. The mounts end together with the command.
 in_debian()
 {
   unshare --mount sh -ec '
@@ -47,7 +48,7 @@ in_debian()
   ' sh "$root" "$@"
 }
 
-# as_user COMMAND... : who has no rights and no settings, in the folder with the tests.
+# as_user COMMAND... : runs it as a user without rights and settings, in the folder with the tests.
 as_user()
 {
   in_debian setpriv --reuid=65534 --regid=65534 --clear-groups env -C /tmp/test "$@"
@@ -58,13 +59,13 @@ with_screen()
   as_user xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$@"
 }
 
-# field PACKAGE FIELD
+# field PACKAGE FIELD : prints a field of the package's control file
 field()
 {
   dpkg-deb -f "$build/packages/$1_"[0-9]*.deb "$2"
 }
 
-# What a package depends on, and what else the tests need; only then what there is, to compare with.
+# Installs what a package depends on and what the tests need, then lists all files to compare with later.
 install_depends()
 {
   in_debian apt-get -qq update
@@ -76,7 +77,7 @@ install_packages()
 {
   local package
   for package in "$@"; do
-    # The dependencies are there, so nothing but the package itself may come.
+    # All dependencies are installed, so apt-get must not install anything but the package itself.
     in_debian sh -c "apt-get -y --no-install-recommends install /tmp/test/${package}_[0-9]*.deb"
   done
 }
@@ -122,8 +123,8 @@ step_count=14
 set_up --packages
 step "Configuring" configure.log configure release
 step "Building" build.log cmake --build "$build"
-step "Making the packages" cpack.log make_packages
-step "Making a Debian" debian.log make_debian
+step "Building the packages" cpack.log make_packages
+step "Creating a Debian system" debian.log make_debian
 step "Installing what sphericalstyle depends on" depends.log \
   install_depends "$(field sphericalstyle Depends)" "$(field sphericalstyle Recommends)" \
   xvfb xauth libgl1-mesa-dri libqt5svg5
@@ -136,7 +137,7 @@ step "Installing what sphericalstyle-dev depends on" dev-depends.log install_dep
 step "Installing sphericalstyle-dev" dev-install.log install_packages sphericalstyle sphericalstyle-dev
 step "Building and running a C++ program" dev-use.log try_cxx
 step "Removing both" dev-remove.log remove_packages sphericalstyle sphericalstyle-dev
-step "Removing the Debian" debian-remove.log rm -rf --one-file-system "$root"
+step "Removing the Debian system" debian-remove.log rm -rf --one-file-system "$root"
 
 for package in "$build"/packages/*.deb; do
   echo "  $package: $(($(stat -c %s "$package") / 1024)) KB, $(dpkg-deb -f "$package" Installed-Size) KB installed"

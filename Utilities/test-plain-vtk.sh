@@ -4,8 +4,8 @@
 #
 # usage: Utilities/test-plain-vtk.sh [-v] [OPTIONS OF ctest]
 #
-# Builds against Debian's plain VTK 9.1 instead of ParaView and runs the tests, in build-vtk91/.
-# VTK's packages are only unpacked there, since they cannot be installed beside ParaView's Python.
+# Builds with Debian's plain VTK 9.1 instead of ParaView and runs the tests, in build-vtk91/. The script
+# only unpacks VTK's packages there, since they cannot be installed together with ParaView's Python.
 BUILD_DIR=${BUILD_DIR:-build-vtk91}
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -16,7 +16,7 @@ fetch_vtk()
   [ -e "$build/vtk/complete" ] && return
   rm -rf "$build/vtk" "$build/debs"
   mkdir -p "$build/vtk" "$build/debs"
-  # The configuration of libvtk9-dev names files of all these.
+  # The CMake configuration in libvtk9-dev refers to files of all these packages.
   (cd "$build/debs" &&
     apt-get download libvtk9-dev libvtk9-java libvtk9.1-qt libvtk9.1 python3-vtk9 vtk9)
   local package
@@ -34,7 +34,7 @@ step "Configuring" configure.log configure release \
   -DSPHERICALSTYLE_WITH_PARAVIEW=OFF -DSPHERICALSTYLE_BUILD_TESTING=ON \
   -DVTK_DIR="$vtk_libraries/cmake/vtk-9.1"
 
-# VTK's libraries do not say where the others of them are: linker and loader look here.
+# VTK's libraries do not record where their dependencies are; the linker and the loader look here.
 export LD_LIBRARY_PATH=$vtk_libraries
 step "Building" build.log cmake --build "$build"
 export PYTHONPATH=$build/vtk/usr/lib/python3/dist-packages

@@ -4,10 +4,11 @@
 #
 # usage: Utilities/test.sh [-v] [OPTIONS OF ctest]
 #
-# Installs what is missing, builds, runs all tests: on a fresh clone or again at any time.
-#   Utilities/test.sh -L Solver    only the tests with that label
+# Installs missing packages, builds, and runs all tests. You can run it on a fresh clone and again at any
+# time.
+#   Utilities/test.sh -L Solver    run only the tests with that label
 #   Utilities/test.sh -v           show everything (the same as VERBOSE=1)
-# BUILD_DIR=... builds elsewhere than in build/.
+# BUILD_DIR=... chooses another build folder than build/.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 take_test_options "$@"

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run clang-tidy over what the build compiles, as Utilities/check.sh does.
+"""Run clang-tidy on the sources that the build compiles. Utilities/check.sh runs this script.
 
-A file without a finding is not looked at again until it, a header that it includes, the command that compiles it or
-clang-tidy itself changes: BUILD/tidy has the hashes of what was found clean.
+A file without findings is skipped until it, a header that it includes, the command that compiles it, or clang-tidy
+itself changes. BUILD/tidy has the hashes of the clean files.
 """
 import argparse
 import concurrent.futures
@@ -27,7 +27,7 @@ def run(*command, **options):
 
 
 def compiled(project, build):
-    """Our own sources and the commands that compile them; not what the build generates."""
+    """Our own sources and the commands that compile them, without generated sources."""
     commands = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
         file = pathlib.Path(entry["file"])
@@ -49,8 +49,8 @@ def changed_since(project, ref):
 
 
 def order_of(project, sources, changed):
-    """What the change can have spoiled, the likeliest first: changed sources, one source for each changed header (of
-    its name if there is one), then all others that include one of these, over other headers as well."""
+    """The sources in which the change can cause findings, the most likely first: changed sources, one source for each
+    changed header (preferably of the same name), then all others that include one of these directly or indirectly."""
     if any(file.name == ".clang-tidy" for file in changed):
         return sorted(sources)
     files = set(sources) | git_names(project, "ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.h")
@@ -86,12 +86,12 @@ class Tidy:
         return hashlib.sha256(pathlib.Path(file).read_bytes()).hexdigest()
 
     def configuration(self, file):
-        """The files .clang-tidy that count for a source."""
+        """The .clang-tidy files that apply to a source."""
         return [folder / ".clang-tidy" for folder in (self.project / file).parents
                 if folder.is_relative_to(self.project) and (folder / ".clang-tidy").exists()]
 
     def key(self, file, entry):
-        """A hash of all that the verdict depends on; none if the compiler cannot say what the file includes."""
+        """A hash of everything that the result depends on; None if the compiler cannot list what the file includes."""
         words = shlex.split(entry["command"])
         if pathlib.Path(words[0]).name in ("ccache", "distcc"):
             del words[0]
@@ -108,22 +108,22 @@ class Tidy:
         return state.hexdigest()
 
     def check(self, file, entry):
-        """What clang-tidy says against a file, and whether it was asked."""
+        """The findings of clang-tidy in a file, and whether clang-tidy was run."""
         key = self.key(file, entry)
         if key and (self.clean / key).exists():
             return "", False
         done = run("clang-tidy", "--quiet", "-p", str(self.build), str(self.project / file))
         if done.returncode == 0 and key:
             (self.clean / key).touch()
-        # Its other stream counts what was suppressed; it matters if there was nothing but a failure.
+        # stderr counts suppressed findings; it matters only if clang-tidy failed without any output on stdout.
         return (done.stdout or done.stderr or "failed") if done.returncode else "", True
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=pathlib.Path, help="configured build folder with compile_commands.json")
-    parser.add_argument("--since", metavar="REF", help="only what changed since this commit, and what includes it")
-    parser.add_argument("--seconds", type=float, default=float("inf"), help="begin no further file after this time")
+    parser.add_argument("build", type=pathlib.Path, help="a configured build folder with compile_commands.json")
+    parser.add_argument("--since", metavar="REF", help="only files that changed since this commit, and files that include them")
+    parser.add_argument("--seconds", type=float, default=float("inf"), help="start no further file after this time")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
     arguments = parser.parse_args()
 
@@ -150,10 +150,10 @@ def main():
 
     with concurrent.futures.ThreadPoolExecutor(max_workers=arguments.jobs) as pool:
         list(pool.map(one, files))
-    print(f"clang-tidy: {reached} of {len(commands)} sources, {asked} of them looked at anew, findings in {found}, "
+    print(f"clang-tidy: {reached} of {len(commands)} sources, {asked} of them checked now, findings in {found}, "
           f"{time.monotonic() - start:.0f} s")
     if reached < len(files):
-        print(f"clang-tidy: no time for {len(files) - reached} sources that the change concerns: "
+        print(f"clang-tidy: no time left for {len(files) - reached} sources that the change concerns: "
               f"{' '.join(map(str, files[reached:reached + 5]))} ...")
     return 1 if found else 0
 

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What the sources ask of the compiler, tried rather than read from its name and version. Without C++17 nothing is
-# built; all else has a way without it, which is said and taken. GCC and Clang are tested. What is here for Microsoft's
-# compiler is written from its documentation and was never run.
+# Tests which features the compiler has, instead of relying on its name and version. C++17 is required. Every other
+# feature has a fallback, and a message says if it is used. GCC and Clang are tested. The code for Microsoft's compiler
+# follows its documentation and was never run.
 #
 # Sets options of targets (sphericalstyle_warnings, sphericalstyle_vtk_warnings, sphericalstyle_contraction,
 # sphericalstyle_math, sphericalstyle_missing_definitions) and sphericalstyle_vectors, definitions for
@@ -12,11 +12,11 @@ include(CheckCXXCompilerFlag)
 include(CheckCXXSourceCompiles)
 include(CheckLinkerFlag)
 
-# What compiles with a warning compiles, also where warnings are errors.
+# A test program that compiles with warnings counts as compiled, even if warnings are errors.
 set(CMAKE_REQUIRED_FLAGS -w)
 
 # -------------------------------------------------------------------------------------------- C++17
-# Some compilers take the option and lack parts of the library.
+# Some compilers accept the option but lack parts of the library.
 if ("cxx_std_17" IN_LIST CMAKE_CXX_COMPILE_FEATURES)
   check_cxx_source_compiles([[
     #include <algorithm>
@@ -39,14 +39,14 @@ if ("cxx_std_17" IN_LIST CMAKE_CXX_COMPILE_FEATURES)
 endif ()
 if (NOT SPHERICALSTYLE_HAS_CXX17)
   message(FATAL_ERROR "SphericalStyle needs C++17 and its standard library, which ${CMAKE_CXX_COMPILER} "
-    "(${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}) does not have. Take another compiler with "
+    "(${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}) does not have. Choose another compiler with "
     "-DCMAKE_CXX_COMPILER=... in a new build folder.")
 endif ()
 
 unset(CMAKE_REQUIRED_FLAGS)
 
 # ------------------------------------------------------------------------------------------ options
-# For our own targets; VTK's generated wrappers are not ours to clean.
+# Warnings for our own targets only: we cannot fix VTK's generated wrappers.
 if (MSVC)
   set(sphericalstyle_warnings /W4)
 else ()
@@ -58,26 +58,27 @@ else ()
       list(APPEND sphericalstyle_warnings ${option})
     endif ()
   endforeach ()
-  # A unity build includes sources, and GCC takes what is local to a source for something local in a header.
+  # A unity build includes sources, and GCC mistakes local names of an included source for local names in a header.
   check_cxx_compiler_flag(-Wsubobject-linkage SPHERICALSTYLE_HAS_SUBOBJECT_LINKAGE)
   if (CMAKE_UNITY_BUILD AND SPHERICALSTYLE_HAS_SUBOBJECT_LINKAGE)
     list(APPEND sphericalstyle_warnings -Wno-subobject-linkage)
   endif ()
 endif ()
-# GCC calls the semicolon behind VTK's type macros an extension: what includes VTK goes without -Wpedantic.
+# GCC warns that the semicolon after VTK's type macros is an extension, so code that includes VTK goes without
+# -Wpedantic.
 set(sphericalstyle_vtk_warnings ${sphericalstyle_warnings})
 list(REMOVE_ITEM sphericalstyle_vtk_warnings -Wpedantic)
 
-# Roots of several numbers at once set no errno.
+# Without errno the compiler can compute several square roots at once.
 check_cxx_compiler_flag(-fno-math-errno SPHERICALSTYLE_HAS_NO_MATH_ERRNO)
 set(sphericalstyle_math "$<$<BOOL:${SPHERICALSTYLE_HAS_NO_MATH_ERRNO}>:-fno-math-errno>")
 
-# Each product and sum rounded by itself: what tests take that compare bits of two ways to compile.
+# Rounds each product and sum separately. Tests use this to compare the bits of two compilations.
 check_cxx_compiler_flag(-ffp-contract=off SPHERICALSTYLE_HAS_FP_CONTRACT)
 set(sphericalstyle_contraction "$<$<BOOL:${SPHERICALSTYLE_HAS_FP_CONTRACT}>:-ffp-contract=off>")
 
-# A missing definition is an error here and not when somebody loads the library. Clang's sanitizers are in the program,
-# though, and not in a library.
+# Makes a missing definition an error when we link, not when a user loads the library. This does not work with Clang's
+# sanitizers, whose functions are in the program and not in a library.
 set(sphericalstyle_missing_definitions)
 if (NOT (CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND CMAKE_CXX_FLAGS MATCHES "-fsanitize"))
   check_linker_flag(CXX "LINKER:--no-undefined" SPHERICALSTYLE_HAS_NO_UNDEFINED)
@@ -87,10 +88,11 @@ if (NOT (CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND CMAKE_CXX_FLAGS MATCHES "-fsa
 endif ()
 
 # ------------------------------------------------------------------------------------------ vectors
-option(SPHERICALSTYLE_SCALAR "Take no vectors of the compiler, as with one that has none: slower" OFF)
+option(SPHERICALSTYLE_SCALAR "Do not use the compiler's vector extensions (slower)" OFF)
 mark_as_advanced(SPHERICALSTYLE_SCALAR)
 
-# The header itself is tried: whether its vectors compile, and whether system and linker can choose among functions.
+# Tests the header itself: whether its vectors compile, and whether system and linker can choose between versions of a
+# function at run time.
 set(vectors_try [[
   #include "Vector4.h"
   namespace SphericalStyle
@@ -128,10 +130,10 @@ elseif (NOT SPHERICALSTYLE_HAS_VECTORS)
   unset(CMAKE_REQUIRED_DEFINITIONS)
   if (SPHERICALSTYLE_HAS_BASELINE_VECTORS)
     set(sphericalstyle_vectors SPHERICALSTYLE_BASELINE)
-    message(STATUS "SphericalStyle: one instruction set, since this compiler cannot choose while a program runs")
+    message(STATUS "SphericalStyle: one instruction set, since this compiler cannot choose one at run time")
   else ()
     set(sphericalstyle_vectors SPHERICALSTYLE_SCALAR)
-    message(STATUS "SphericalStyle: no vectors, since this compiler has none: the solver is slower")
+    message(STATUS "SphericalStyle: this compiler has no vector extensions, so the solver is slower")
   endif ()
 endif ()
 unset(CMAKE_REQUIRED_FLAGS)

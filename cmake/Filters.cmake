@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The table of the filters, Filters/filters.json, as lists. Those of filters hold names without "vtk", and only
-# what is built:
-#   sphericalstyle_filters       all
-#   sphericalstyle_tools         all but what is for study
-#   sphericalstyle_term_filters  those whose style is a term of the local step
-# sphericalstyle_<name>_<key> is an entry: label, page, kind, needs, term, weight. sphericalstyle_terms has all
-# terms, sphericalstyle_pages all pages.
+# Reads the table of filters, Filters/filters.json, into lists. These lists have the names, without "vtk", of the
+# filters that are built:
+#   sphericalstyle_filters       all filters
+#   sphericalstyle_tools         all filters except those for study
+#   sphericalstyle_term_filters  filters whose style is a term of the local step
+# sphericalstyle_<name>_<key> is an entry of the table: label, page, kind, needs, term, weight. sphericalstyle_terms
+# lists all terms, sphericalstyle_pages all pages.
 file(READ "${PROJECT_SOURCE_DIR}/Filters/filters.json" table)
 set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY
   CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Filters/filters.json")

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# `cpack` in the build folder makes two Debian packages in packages/: sphericalstyle for those who use the
-# filters in ParaView and Python, sphericalstyle-dev for those who program with them in C++.
-# Utilities/test-packages.sh tries them in a clean Debian.
+# `cpack` in the build folder makes two Debian packages in packages/: sphericalstyle for users of the filters
+# in ParaView and Python, sphericalstyle-dev for C++ programmers. Utilities/test-packages.sh tests them in a
+# clean Debian.
 set(debian "${CMAKE_CURRENT_SOURCE_DIR}/cmake/debian")
 file(READ LICENSE license)
 string(STRIP "${license}" license)
@@ -30,16 +30,16 @@ set(CPACK_COMPONENT_PARAVIEW_PLUGINS_GROUP run)
 set(CPACK_COMPONENT_PYTHON_GROUP run)
 set(CPACK_COMPONENT_DEVELOPMENT_GROUP dev)
 
-# What the library links is found by itself (SHLIBDEPS), with the versions it needs.
+# SHLIBDEPS finds the packages and versions of the libraries that our library links.
 set(CPACK_DEBIAN_RUN_PACKAGE_NAME sphericalstyle)
 set(CPACK_DEBIAN_RUN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_RUN_DESCRIPTION
-  "The result goes from slightly softened to a ball, with or without the details
-of the model. This package has the plugin for ParaView, the Python package
+  "The result ranges from slightly softened to a ball, with or without the details
+of the model. This package contains the plugin for ParaView, the Python package
 sphericalstyle and the library.")
 set(CPACK_DEBIAN_RUN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
-# Python's byte code comes and goes with the package; shlibs is for packages of programs that link the library.
+# postinst and prerm create and remove Python's byte code; shlibs is for packages of programs that link the library.
 configure_file("${debian}/shlibs.in" "${CMAKE_BINARY_DIR}/shlibs" @ONLY)
 set(CPACK_DEBIAN_RUN_PACKAGE_CONTROL_EXTRA
   "${debian}/postinst;${debian}/prerm;${debian}/triggers;${CMAKE_BINARY_DIR}/shlibs")
@@ -49,15 +49,15 @@ set(CPACK_DEBIAN_RUN_PACKAGE_SUGGESTS openmpi-bin) # mpirun, for several process
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME sphericalstyle-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_DESCRIPTION
-  "This package has what C++ programs need to use the filters: headers and files
-for CMake's find_package(SphericalStyle).")
+  "This package contains what C++ programs need to use the filters: headers and
+files for CMake's find_package(SphericalStyle).")
 set(dev_depends "sphericalstyle (= ${PROJECT_VERSION})")
 if (SPHERICALSTYLE_WITH_PARAVIEW)
   set(range "(>= ${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}), PACKAGE (<< ${ParaView_VERSION_MAJOR}.${paraview_next_minor}~)")
   string(REPLACE PACKAGE python3-paraview run_depends "python3-paraview ${range}")
-  set(CPACK_DEBIAN_RUN_PACKAGE_RECOMMENDS libqt5sql5-sqlite) # ParaView's help is empty without
+  set(CPACK_DEBIAN_RUN_PACKAGE_RECOMMENDS libqt5sql5-sqlite) # without it ParaView's help is empty
   string(REPLACE PACKAGE paraview-dev paraview_dev "paraview-dev ${range}")
-  # VTK's package for CMake looks for MPI, and for these in a program that renders.
+  # VTK's CMake package looks for MPI; programs that render also need the recommended packages.
   set(dev_depends "${dev_depends}, ${paraview_dev}, libopenmpi-dev")
   set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS
     "libfreetype-dev, libgl-dev, libglew-dev, libjpeg-dev, libopengl-dev, libpng-dev, libx11-dev, libxext-dev")
