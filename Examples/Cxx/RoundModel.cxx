@@ -37,11 +37,11 @@
 namespace
 {
 constexpr const char* Usage =
-  "usage: RoundModel MODEL [options]\n"
+  "usage: RoundModel MODEL [options, with their defaults in parentheses]\n"
   "  MODEL                     ply, stl, obj, vtk or vtp\n"
-  "  --roundness NUMBER        0 and up: 0 is the model, 5 nearly a ball (default 1)\n"
-  "  --detail-size NUMBER      0..0.2: details up to that part of the diagonal stay (default .06)\n"
-  "  --normal-blend NUMBER     0..1: round the whole (0) or every part in itself (default .6)\n"
+  "  --roundness NUMBER        0 or more: 0 is the model, 5 nearly a ball (1)\n"
+  "  --detail-size NUMBER      0..0.2: details up to this fraction of the diagonal stay (.06)\n"
+  "  --normal-blend NUMBER     0..1: 0: one ball, 1: every limb round by itself (.6)\n"
   "  --output FILE.vtp         write the result\n"
   "  --off-screen PICTURE.png  write a picture instead of opening a window";
 
@@ -97,7 +97,7 @@ void WriteWith(const std::string& file, vtkAlgorithmOutput* data)
   }
 }
 
-/// Reads by the ending of the file's name.
+/// Chooses the reader by the file's extension.
 vtkSmartPointer<vtkPolyData> Read(const std::string& file)
 {
   static const std::map<std::string, vtkSmartPointer<vtkPolyData> (*)(const std::string&)>
@@ -114,7 +114,7 @@ vtkRenderer* AddHalf(
 {
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(surface);
-  vtkNew<vtkCleanPolyData> clean; // vtkCurvatures would take texture seams for borders
+  vtkNew<vtkCleanPolyData> clean; // vtkCurvatures would treat texture seams as borders
   clean->SetInputConnection(triangles->GetOutputPort());
   clean->SetTolerance(0.0);
   vtkNew<vtkCurvatures> curvatures;
@@ -136,7 +136,7 @@ vtkRenderer* AddHalf(
 
 void Show(vtkSphericalStyleFilter* style, vtkPolyData* model, const std::string& picture)
 {
-  // The same colors on both sides; a sphere of the filter's radius r has mean curvature 1 / r.
+  // Both halves use the same colors; a sphere of the filter's radius r has mean curvature 1 / r.
   const double range = 5.0 / style->GetEffectiveRadius();
   vtkNew<vtkColorTransferFunction> colors;
   colors->SetColorSpaceToDiverging();

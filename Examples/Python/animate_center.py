@@ -1,15 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Move the center through a model, there and back, and make a movie of what becomes of the model.
+"""Move the center through a model and back, and make a movie of the result.
 
     python3 animate_center.py MODEL OUTPUT [--axis x|y|z] [--travel 0.2 0.8] [--frames 48] [--rate 24]
                                            [--roundness 2] [--normal-blend 0] [--detail-size 0.06]
                                            [--up y] [--view 25]
 
-Also for pvpython. The ending of OUTPUT says what it is: .ogv (Ogg Theora), .avi (Motion JPEG), without
-an ending a folder of pictures 0000.png, 0001.png, ... The center runs along the axis through the middle of
-the model and back, so that the movie can be shown in a loop; --travel says between which fractions of the
-model's extent.
+It also runs in pvpython. The extension of OUTPUT selects the format: .ogv (Ogg Theora) or .avi (Motion JPEG);
+without an extension, OUTPUT is a folder for pictures 0000.png, 0001.png, ... The center moves along an axis
+through the middle of the model and back, so that the movie can run in a loop. --travel gives the range of the
+movement as fractions of the model's extent.
 """
 import argparse
 import math
@@ -29,21 +29,21 @@ MOVIES = {".ogv": vtkOggTheoraWriter, ".avi": vtkFFMPEGWriter}
 
 
 def parse():
-    parser = argparse.ArgumentParser(description="Move the center through a model: a movie.")
+    parser = argparse.ArgumentParser(description="Make a movie of the result while the center moves through a model.")
     parser.add_argument("model", type=pathlib.Path)
     parser.add_argument("output", type=pathlib.Path)
-    parser.add_argument("--axis", choices="xyz", default="y", help="along which the center moves")
+    parser.add_argument("--axis", choices="xyz", default="y", help="axis along which the center moves")
     parser.add_argument("--travel", type=float, nargs=2, default=[0.2, 0.8], metavar=("FROM", "TO"),
-                        help="between which fractions of the model's extent (default 0.2 0.8)")
+                        help="range of the movement, as fractions of the model's extent (default 0.2 0.8)")
     parser.add_argument("--frames", type=int, default=48)
     parser.add_argument("--rate", type=int, default=24, help="frames per second")
     parser.add_argument("--roundness", type=float, default=2.0)
     parser.add_argument("--normal-blend", type=float, default=0.0,
-                        help="0, the default here: all goes away from the center; at 1 the center does nothing")
-    parser.add_argument("--detail-size", type=float, help="of the filter, by default as there")
+                        help="0, the default here: one ball around the center; at 1 the center has no effect")
+    parser.add_argument("--detail-size", type=float, help="property of the filter; default: that of the filter")
     parser.add_argument("--up", choices="xyz", default="y", help="axis of the model that points up")
     parser.add_argument("--view", type=float, default=25.0,
-                        help="where the camera stands, degrees around that axis from the front")
+                        help="angle of the camera around that axis, in degrees from the front")
     arguments = parser.parse_args()
     if arguments.output.suffix not in MOVIES and arguments.output.suffix:
         parser.error(f"OUTPUT: a movie ends in {' or '.join(MOVIES)}, a folder of pictures has no ending")
@@ -53,7 +53,7 @@ def parse():
 
 
 class Pictures:
-    """Writes each picture to a folder."""
+    """Writes each picture to a file in a folder."""
 
     def __init__(self, folder):
         folder.mkdir(parents=True, exist_ok=True)
@@ -69,7 +69,7 @@ class Pictures:
 
 
 class Movie:
-    """Writes each picture to a movie."""
+    """Adds each picture to a movie."""
 
     def __init__(self, path, rate):
         self.path, self.writer = path, MOVIES[path.suffix]()
@@ -90,7 +90,7 @@ class Movie:
     def end(self):
         self.writer.End()
         self.messages.raise_errors(f"{self.path}: cannot be written")
-        with open(self.path, "r+b") as file:  # VTK does not say that a disk is full
+        with open(self.path, "r+b") as file:  # VTK does not report a full disk
             size = file.seek(0, os.SEEK_END)
             file.write(bytes(4096))
             file.flush()
@@ -98,7 +98,7 @@ class Movie:
 
 
 def centers(bounds, axis, travel, frames):
-    """Through the middle of the box, along the axis, slowly where it turns around."""
+    """Yields positions along the axis through the middle of the box; the movement is slow where it turns."""
     length = bounds[2 * axis + 1] - bounds[2 * axis]
     for frame in range(frames):
         center = [0.5 * (bounds[2 * k] + bounds[2 * k + 1]) for k in range(3)]
@@ -119,7 +119,7 @@ def main():
     style.SetCenterModeToCustom()
     for center in centers(surface.GetBounds(), axis, arguments.travel, arguments.frames):
         style.SetCenter(center)
-        style.Update()  # quick: what does not depend on the center is kept
+        style.Update()  # quick: the filter keeps everything that does not depend on the center
         messages.raise_errors("The filter failed:")
         label = f"Center {arguments.axis} = {center[axis]:.3g}"
         output.add(image_of(SIZE, [[(style.GetOutput(), label)]], arguments.up, arguments.view, 18,

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Read models, round them, write them, in Python with or without ParaView. What goes wrong is a
-ModelError with the words of the reader, filter or writer."""
+"""Read, round and write models, in Python with or without ParaView. Every failure becomes a ModelError
+with the message of the reader, filter or writer."""
 import contextlib
 import os
 import re
@@ -27,17 +27,17 @@ READERS = {
 
 
 class ModelError(Exception):
-    """What went wrong, in words for the user."""
+    """A failure, with a message for the user."""
 
 
 def printable(text):
-    """The text, with escapes for what would move the cursor or end the line, and for bytes that are no text."""
+    """The text with escapes for control characters, line breaks, and bytes that are not text."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in str(text))
 
 
 def place_in(folder, name):
-    """Where the file of this name goes, below the folder and its own folders, which are made. A link among them must
-    not lead elsewhere."""
+    """The path of a file with this name in the folder. Makes the subfolders in the name. A link in the path must not lead
+    out of the folder."""
     place = folder / name
     if not place.resolve().is_relative_to(folder.resolve()):
         raise ModelError(f"{printable(place)} leads out of {printable(folder)}")
@@ -47,8 +47,8 @@ def place_in(folder, name):
 
 @contextlib.contextmanager
 def whole(place):
-    """A path to write to; what was written has its name when it is whole, and is gone when it is not. Links are
-    replaced, not followed."""
+    """A temporary path to write to. The file gets its final name when it is complete, and is removed after a failure.
+    Links are replaced, not followed."""
     part = place.with_name(place.name + ".part")
     part.unlink(missing_ok=True)
     try:
@@ -60,13 +60,13 @@ def whole(place):
 
 
 class Messages:
-    """Errors and warnings of an algorithm, which VTK would print and go on."""
+    """Collects errors and warnings of an algorithm; VTK would print them and continue."""
 
-    warned = set()  # each warning once, though the series runs the filter ten times
+    warned = set()  # print each warning once, although a series runs the filter many times
 
     def __init__(self, algorithm):
         self.errors = []
-        self.failed = False  # the executive's errors say no more than that
+        self.failed = False  # the executive reports errors without details
         algorithm.AddObserver("ErrorEvent", self._error)
         algorithm.AddObserver("WarningEvent", self._warning)
         algorithm.GetExecutive().AddObserver("ErrorEvent", self._failure)
@@ -88,7 +88,7 @@ class Messages:
 
     @staticmethod
     def _plain(text):
-        """Without source file, line and address."""
+        """The message without source file, line and address."""
         plain = re.sub(r"^\w+: In .*\n\w+ \(0x[0-9a-f]+\): ", "", text.strip())
         return "\n".join(map(printable, plain.splitlines()))
 
@@ -98,7 +98,7 @@ class Messages:
 
 
 def read(path):
-    """The file's surface, or a ModelError that says why there is none."""
+    """The surface in the file. Raises a ModelError that says why if there is none."""
     name, suffix = printable(path), path.suffix.lower()
     if suffix not in READERS:
         suffix = printable(suffix)
@@ -126,9 +126,9 @@ def read(path):
 
 def rounded(surface, **properties):
     """The executed vtkSphericalStyleFilter; port 0 has the surface.
-    properties: by their names, such as Roundness=0.5; None is the filter's default."""
+    properties: values by name, such as Roundness=0.5; None keeps the filter's default."""
     style = vtkSphericalStyleFilter()
-    style.SetController(None)  # the surface is this process' own, also with MPI
+    style.SetController(None)  # with MPI, too, each process has its own surface
     messages = Messages(style)
     style.SetInputData(surface)
     for name, value in properties.items():
@@ -136,22 +136,22 @@ def rounded(surface, **properties):
             continue
         getattr(style, "Set" + name)(value)
         taken = getattr(style, "Get" + name)()
-        if value > taken or value < taken:  # NaN is the filter's to refuse
+        if value > taken or value < taken:  # the filter itself rejects NaN
             raise ModelError(f"{name} cannot be {value:g}; the nearest that can be is {taken:g}")
     style.Update()
     messages.raise_errors("The filter failed:")
-    if style.GetOutput().GetNumberOfPoints() < surface.GetNumberOfPoints():  # more where long edges were split
+    if style.GetOutput().GetNumberOfPoints() < surface.GetNumberOfPoints():  # splitting long edges adds points
         raise ModelError("The filter gave no result and no reason.")
     return style
 
 
 def largest_move(surface):
-    """How far a point of the filter's output is from where it was, at most."""
+    """The largest distance by which a point of the filter's output moved."""
     return surface.GetPointData().GetArray("Displacement").GetRange(-1)[1]
 
 
 def write(writer, path, data):
-    """With a writer that takes a file's name."""
+    """Writes the data with a VTK writer."""
     messages = Messages(writer)
     writer.SetFileName(os.fsencode(path))
     writer.SetInputData(data)

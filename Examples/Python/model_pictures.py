@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of models in clay, side by side, in Python with or without ParaView."""
+"""Pictures of models, shaded like clay, side by side, in Python with or without ParaView."""
 import math
 
 import vtkmodules.vtkInteractionStyle  # noqa: F401, makes render windows work
@@ -17,11 +17,11 @@ from model_files import write
 CLAY = (0.88, 0.62, 0.47)
 INK = (0.25, 0.22, 0.20)
 RED = (0.80, 0.12, 0.10)
-VIEW_ANGLE = 24.0  # degrees; narrow, so that near parts do not swell
+VIEW_ANGLE = 24.0  # degrees; narrow, so that near parts do not look too large
 
 
 def actor_of(surface):
-    """The surface in clay. Texture seams are closed first: shading would show them as cracks."""
+    """The surface, shaded like clay. Closes texture seams first, which shading would show as cracks."""
     geometry = vtkPolyData()
     geometry.CopyStructure(surface)
     triangles = vtkTriangleFilter()
@@ -32,7 +32,7 @@ def actor_of(surface):
     seamless.SetTolerance(0.0)
     seamless.SetInputConnection(triangles.GetOutputPort())
     normals = vtkPolyDataNormals()
-    normals.SetFeatureAngle(60.0)  # edges of a box stay edges
+    normals.SetFeatureAngle(60.0)  # keeps the edges of a box sharp
     normals.SetInputConnection(seamless.GetOutputPort())
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(normals.GetOutputPort())
@@ -49,7 +49,7 @@ def actor_of(surface):
 
 
 def axes_of(up):
-    """(up, front): where models that stand along this axis usually look to."""
+    """(up, front): the direction in which models with this up axis usually face."""
     return {
         "x": ((1, 0, 0), (0, 0, 1)),
         "y": ((0, 1, 0), (0, 0, 1)),
@@ -58,13 +58,13 @@ def axes_of(up):
 
 
 def half_size(surface):
-    """Half of what has to be seen of it: long models need more than the diagonal tells."""
+    """Half of the size that must be visible: long models need more than their diagonal suggests."""
     x0, x1, y0, y1, z0, z1 = surface.GetBounds()
     return max(0.45 * surface.GetLength(), 0.57 * max(x1 - x0, y1 - y0, z1 - z0))
 
 
 def place_camera(renderer, surface, size, up, view):
-    """From the front, turned by view degrees, a little from above; size: half of what is seen."""
+    """Looks from the front, turned by view degrees and slightly from above. size: half of what is visible."""
     up, front = axes_of(up)
     bounds = surface.GetBounds()
     center = [0.5 * (bounds[2 * i] + bounds[2 * i + 1]) for i in range(3)]
@@ -75,11 +75,11 @@ def place_camera(renderer, surface, size, up, view):
     camera.SetPosition([c + distance * f for c, f in zip(center, front)])
     camera.SetViewAngle(VIEW_ANGLE)
     width, height = renderer.GetSize()
-    camera.SetUseHorizontalViewAngle(width < height)  # the narrower side has to hold the model
+    camera.SetUseHorizontalViewAngle(width < height)  # the model must fit the narrower side
     camera.Azimuth(view)
     camera.Elevation(14.0)
     camera.OrthogonalizeViewUp()
-    camera.SetWindowCenter(0.0, -0.06)  # leaves the foot of the picture to the label
+    camera.SetWindowCenter(0.0, -0.06)  # leaves room for the label at the bottom
     renderer.ResetCameraClippingRange()
 
 
@@ -94,7 +94,7 @@ def soft_light(renderer):
 
 
 def add_text(renderer, text, x, y, points, font=None):
-    """Centered at the fraction (x, y) of the renderer's part of the window. font: a TrueType file."""
+    """A text centered at the fraction (x, y) of the renderer's viewport. font: a TrueType file."""
     actor = vtkTextActor()
     actor.SetInput(text)
     actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
@@ -128,10 +128,10 @@ def picture(path, size, panels, up, view, points, **options):
 
 
 def image_of(size, panels, up, view, points, make_actor=actor_of, font=None, frame=None):
-    """The picture of rows of (surface, label[, lines[, view]]), all in the same scale, from the same
-    side unless a panel has a view of its own. make_actor(surface): other than in clay. font: a
-    TrueType file for labels that VTK's own fonts have no letters for. frame: a surface that the camera
-    is set for instead of each panel's own, for series of pictures."""
+    """A picture of rows of panels (surface, label[, lines[, view]]). All have the same scale, and the same
+    view unless a panel has its own. make_actor(surface): replaces the clay shading. font: a TrueType
+    file for labels with letters that VTK's own fonts lack. frame: a surface to set the camera for,
+    instead of each panel's surface, in a series of pictures."""
     surfaces = [frame] if frame else [panel[0] for row in panels for panel in row]
     seen = max(half_size(surface) for surface in surfaces)
     window = vtkRenderWindow()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The processes of MPI that run a script, with pvbatch --sym; one where there is no MPI."""
+"""The MPI processes that run a script with pvbatch --sym; a single process without MPI."""
 import json
 import os
 import sys
@@ -14,7 +14,7 @@ TAG = 5207  # any number
 
 
 class Processes:
-    """rank: the number of this one, count: how many there are, name: to begin lines with"""
+    """rank: number of this process, count: number of processes, name: a prefix for lines of output"""
 
     def __init__(self):
         self.controller = vtkMultiProcessController.GetGlobalController()
@@ -26,7 +26,7 @@ class Processes:
             sys.exit("With mpirun this script needs: pvbatch --sym")
 
     def gather(self, values):
-        """On the first process the lists of all, one after the other; elsewhere the own one."""
+        """On the first process, the concatenated lists of all processes; on the others, their own list."""
         if self.rank > 0:
             text = np.frombuffer(json.dumps(values).encode(), dtype=np.uint8)
             self.controller.Send(numpy_to_vtk(text, deep=True), 0, TAG)
@@ -40,6 +40,6 @@ class Processes:
 
 
 def runs_everywhere():
-    """Whether every process runs the script, and not the first alone."""
+    """Whether every process runs the script, not only the first one."""
     from paraview.modules.vtkRemotingCore import vtkProcessModule
     return vtkProcessModule.GetProcessModule().GetSymmetricMPIMode()

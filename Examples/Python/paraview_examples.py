@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the examples for pvpython share: arguments, the plugin, the model, and a picture of surfaces in a row."""
+"""Code that the examples for pvpython share: arguments, plugin, model, and a picture of surfaces in a row."""
 import argparse
 import os
 import sys
@@ -8,12 +8,12 @@ import sys
 from paraview.simple import *
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 
-errors = []  # one for each that was printed: ParaView's writers do not return that they failed
+errors = []  # one entry per printed error, since ParaView's writers do not report a failure otherwise
 vtkOutputWindow.GetInstance().AddObserver("ErrorEvent", lambda *_: errors.append(True))
 
 
 def parse(parser):
-    """The arguments, with those that all these examples have."""
+    """Parses the arguments, including those that all examples have."""
     parser.add_argument("--plugin", help="SphericalStyle.so, if ParaView does not find the plugin by itself")
     arguments = parser.parse_args()
     if not os.path.isfile(arguments.model):
@@ -22,15 +22,15 @@ def parse(parser):
 
 
 def parser_for(description, output):
-    """A parser for examples that read a model; output: how the names of the files begin."""
+    """A parser for examples that read a model. output: default prefix of the names of output files."""
     parser = argparse.ArgumentParser(description=description)
-    parser.add_argument("model", help="any file of a surface that ParaView can open")
-    parser.add_argument("--output", default=output, help="how the names of the files begin")
+    parser.add_argument("model", help="a file with a surface, in any format that ParaView can open")
+    parser.add_argument("--output", default=output, help="prefix of the names of output files")
     return parser
 
 
 def load_plugin(path, filter_name, namespace):
-    """Into the namespace (globals()) of the example; ends it if there is no such filter afterwards."""
+    """Loads the plugin into the example's namespace (globals()). Ends the example if the filter is then missing."""
     if path:
         try:
             LoadPlugin(path, remote=False, ns=namespace)
@@ -41,7 +41,7 @@ def load_plugin(path, filter_name, namespace):
 
 
 def open_model(path):
-    """The reader that has read the file; ends the example if there is nothing in it."""
+    """The reader after it has read the file. Ends the example if the file has no points."""
     try:
         model = OpenDataFile(path)
     except RuntimeError as error:
@@ -53,7 +53,7 @@ def open_model(path):
 
 
 def save_result(path, filter_):
-    """Its surface; ends the example if there is none."""
+    """Saves the filter's surface. Ends the example if there is none."""
     filter_.UpdatePipeline()
     if filter_.GetDataInformation().GetNumberOfPoints() == 0:
         sys.exit("The filter gave no result and has said why.")
@@ -61,13 +61,13 @@ def save_result(path, filter_):
 
 
 def end():
-    """Ends the example with a failure if there were errors."""
+    """Ends the example with an error code if there were errors."""
     if errors:
         sys.exit("Not everything could be done: see the errors above.")
 
 
 def save_row(file, surfaces, spacing, size, zoom):
-    """A picture of the surfaces in clay, from left to right. spacing: in widths of the first."""
+    """A picture of the surfaces from left to right. spacing: in widths of the first surface."""
     view = CreateView("RenderView")
     bounds = surfaces[0].GetDataInformation().GetBounds()
     for place, surface in enumerate(surfaces):

@@ -1,14 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Round the parts of a model, each around a center of its own, in two ways.
+"""Round each part of a model around its own center, in two ways.
 
     pvpython round_by_parts.py MODEL ARRAY [--roundness 5] [--output NAME] [--plugin SphericalStyle.so]
 
 ARRAY is a point array that has one whole number for each part, such as CenterId of Data/snowman.vtp.
-At once: one solve with a center for each part. One after the other: the way of the thesis (4.6.6), part by
-part in descending order (head, body, feet), with the points of all other parts held. Writes NAME-at-once.vtp,
-NAME-one-by-one.vtp and the picture NAME.png: model, one center, at once, one by one.
-Without --plugin ParaView has to find the plugin by itself: installed, or by the environment variable PV_PLUGIN_PATH.
+The first way rounds all parts at once, in one solve with a center for each part. The second way is that of the
+thesis (4.6.6): one part after the other in descending order (head, body, feet), with the points of all other parts
+held fixed. Writes NAME-at-once.vtp, NAME-one-by-one.vtp and the picture NAME.png, which shows the model, the result
+with one center, and the results of both ways. Without --plugin ParaView must find the plugin by itself: either
+installed, or through the environment variable PV_PLUGIN_PATH.
 """
 import sys
 
@@ -27,7 +28,7 @@ def part_numbers(surface, name):
 
 
 def one_by_one(surface, name, numbers):
-    """Part after part, each with the mean of its points as the center."""
+    """Rounds one part after the other, each with the mean of its points as the center."""
     for number in reversed(numbers):
         mask = Calculator(Input=surface, ResultArrayName="Part", Function=f"{name} == {number}")
         surface = SphericalStyle(Input=mask, RegionArray=["POINTS", "Part"], BorderWidth=0.0, **BALL)

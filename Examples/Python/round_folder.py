@@ -5,11 +5,11 @@
     python3 round_folder.py MODELS OUTPUT [--roundness 1] [--detail-size 0.06] [--normal-blend 0.6]
                                           [--processes N] [--recursive]
 
-Also for pvpython; and for mpirun -np N pvbatch --sym, on several machines: each process of MPI takes its share of
-the models, and the first prints the table. bunny.ply becomes OUTPUT/bunny.ply.vtp, so that bunny.stl has a name of its own; with
---recursive the folders below MODELS come again below OUTPUT. OUTPUT/summary.csv has a line for each
-model. A model that cannot be read or rounded does not stop the others: the exit code is then 1.
-Nothing is written outside OUTPUT, whatever the models are called and wherever links in OUTPUT lead.
+It also runs in pvpython, and on several machines with mpirun -np N pvbatch --sym: each MPI process rounds a part of
+the models, and the first process prints the table. The result of bunny.ply is OUTPUT/bunny.ply.vtp, so that it does
+not conflict with bunny.stl. With --recursive, OUTPUT gets the same subfolders as MODELS. OUTPUT/summary.csv has a
+line for each model. A model that cannot be read or rounded does not stop the others, but the exit code is then 1.
+Nothing is written outside OUTPUT, regardless of the names of the models and of links in OUTPUT.
 """
 import argparse
 import csv
@@ -33,10 +33,10 @@ def parse(default_processes):
     parser.add_argument("models", type=pathlib.Path)
     parser.add_argument("output", type=pathlib.Path)
     for name in ("--roundness", "--detail-size", "--normal-blend"):
-        parser.add_argument(name, type=float, help="of the filter, by default as there")
+        parser.add_argument(name, type=float, help="property of the filter; default: that of the filter")
     parser.add_argument("--processes", type=int, default=default_processes,
-                        help="how many models at a time (default: as many as processors; with MPI 1 for each process)")
-    parser.add_argument("--recursive", action="store_true", help="folders below MODELS too")
+                        help="number of models at a time (default: one per processor; with MPI, one per process)")
+    parser.add_argument("--recursive", action="store_true", help="also round the models in subfolders of MODELS")
     arguments = parser.parse_args()
     if not arguments.models.is_dir():
         parser.error(f"{arguments.models}: no such folder")
@@ -48,7 +48,7 @@ def parse(default_processes):
 
 
 def find_models(folder, output, recursive):
-    """The models' paths below the folder, in order. What was written to the output does not count."""
+    """The sorted paths of the models, relative to the folder. Leaves out files in the output folder."""
     files = folder.rglob("*") if recursive else folder.glob("*")
     return sorted(file.relative_to(folder) for file in files
                   if file.suffix.lower() in READERS and file.is_file()
@@ -56,7 +56,7 @@ def find_models(folder, output, recursive):
 
 
 def round_one(model, arguments):
-    """A line of the table."""
+    """Rounds one model. Returns its line of the table."""
     start = time.perf_counter()
     surface = read(arguments.models / model)
     place = place_in(arguments.output, model.with_name(model.name + ".vtp"))
@@ -71,7 +71,7 @@ def round_one(model, arguments):
 
 
 def work(model, arguments, connection):
-    """In a process of its own: a reader that crashes takes no other model along."""
+    """Runs in its own process, so that a reader that crashes does not affect other models."""
     try:
         connection.send(round_one(model, arguments))
     except (ModelError, OSError, RuntimeError, ValueError) as error:
@@ -79,8 +79,8 @@ def work(model, arguments, connection):
 
 
 def round_all(models, arguments):
-    """Yields (model, line of the table), in the order in which they become ready."""
-    context = multiprocessing.get_context("fork")  # pvpython cannot start itself anew
+    """Yields (model, line of the table), in the order in which they are finished."""
+    context = multiprocessing.get_context("fork")  # spawning does not work in pvpython
     waiting, running = list(reversed(models)), {}
     while waiting or running:
         while waiting and len(running) < arguments.processes:
@@ -101,13 +101,13 @@ def round_all(models, arguments):
 
 
 def name_of(model):
-    """Its path below the folder, for the table; to a spreadsheet it must not look like a formula."""
+    """The model's relative path for the table, changed if a spreadsheet would take it for a formula."""
     path = model.as_posix()
     return "./" + path if path[0] in "=+-@\t\r" else path
 
 
 def share_of(models, folder, mpi):
-    """The models for this process of MPI: like the others', about as many large ones as small ones."""
+    """The models for this MPI process; every process gets a similar mix of large and small ones."""
     by_size = sorted(models, key=lambda model: (folder / model).stat().st_size, reverse=True)
     return by_size[mpi.rank::mpi.count]
 
@@ -145,7 +145,7 @@ def main():
     print()
     print_table(lines)
     with whole(arguments.output / "summary.csv") as part:
-        # Names are bytes, and come out as they are.
+        # File names are bytes; write them unchanged.
         with open(part, "w", newline="", encoding="utf-8", errors="surrogateescape") as file:
             table = csv.DictWriter(file, COLUMNS)
             table.writeheader()
@@ -156,10 +156,10 @@ def main():
 
 
 if __name__ == "__main__":
-    # A process of MPI that ends well has to go back to pvbatch, which says farewell to the others.
+    # After success an MPI process must return to pvbatch, which then ends MPI properly.
     try:
         code = main()
-    except OSError as error:  # of the folder or the table: those of models are in their lines
+    except OSError as error:  # of the folder or the table; errors of a model are in its line
         sys.exit(printable(error))
     if code:
         sys.exit(code)

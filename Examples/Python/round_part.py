@@ -5,9 +5,9 @@
     pvpython round_part.py MODEL [--above 0.5] [--axis x|y|z] [--blend 0.4] [--offset]
                                  [--output NAME] [--plugin SphericalStyle.so]
 
---above is a fraction of the model's extent along the axis; what lies below keeps its bits. --offset
-keeps the details. Writes NAME.vtp and the picture NAME.png. Without --plugin ParaView has to find the
-plugin by itself: installed, or by the environment variable PV_PLUGIN_PATH.
+--above is a fraction of the model's extent along the axis; everything below it stays unchanged. --offset
+preserves the details. Writes NAME.vtp and the picture NAME.png. Without --plugin ParaView must find the
+plugin by itself: either installed, or through the environment variable PV_PLUGIN_PATH.
 """
 from paraview.simple import *
 
@@ -16,7 +16,7 @@ from paraview_examples import end, load_plugin, open_model, parse, parser_for, s
 parser = parser_for("Round the upper part of a model.", "part")
 parser.add_argument("--above", type=float, default=0.5)
 parser.add_argument("--axis", choices="xyz", default="y")
-parser.add_argument("--blend", type=float, default=0.4, help="t: 1 is the model, 0 a ball")
+parser.add_argument("--blend", type=float, default=0.4, help="how much of the model stays: 1 is the model, 0 a ball")
 parser.add_argument("--offset", action="store_true")
 arguments = parse(parser)
 load_plugin(arguments.plugin, "ConvexProxyDeform", globals())

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Round a model with several values of Roundness (lambda) and NormalBlend (a), on one sheet.
+"""Round a model with several values of Roundness and NormalBlend, and show all results on one sheet.
 
     python3 sweep.py MODEL [--roundness 0 0.3 1 2 5] [--normal-blend 0 0.6 1] [--detail-size 0.06]
                            [--output sweep.png] [--up y] [--view 25]
 
-Also for pvpython. A column for each roundness, a row for each blend.
+It also runs in pvpython. The sheet has a column for each Roundness and a row for each NormalBlend.
 """
 import argparse
 import pathlib
@@ -18,17 +18,17 @@ PANEL = (320, 300)  # pixels
 
 
 def parse():
-    parser = argparse.ArgumentParser(description="Round a model in many ways, on one sheet.")
+    parser = argparse.ArgumentParser(description="Round a model with several settings, on one sheet.")
     parser.add_argument("model", type=pathlib.Path)
     parser.add_argument("--roundness", type=float, nargs="+", default=[0.0, 0.3, 1.0, 2.0, 5.0])
     parser.add_argument("--normal-blend", type=float, nargs="+", default=[0.0, 0.6, 1.0])
-    parser.add_argument("--detail-size", type=float, help="of the filter, by default as there")
+    parser.add_argument("--detail-size", type=float, help="property of the filter; default: that of the filter")
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("sweep.png"))
     parser.add_argument("--up", choices="xyz", default="y", help="axis of the model that points up")
     parser.add_argument("--view", type=float, default=25.0,
-                        help="where the camera stands, degrees around that axis from the front")
+                        help="angle of the camera around that axis, in degrees from the front")
     arguments = parser.parse_args()
-    if arguments.output.suffix != ".png":  # what else has that name would be lost
+    if arguments.output.suffix != ".png":  # so that no other kind of file is overwritten
         parser.error("--output: the sheet is a picture, its name ends in .png")
     return arguments
 

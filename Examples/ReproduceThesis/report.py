@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Experiments, their sections of the report, and the pages that are written from them.
+"""Experiments, their sections in the report, and the pages made from them.
 
 A chapter is a file of functions like this one:
 
@@ -14,8 +14,8 @@ A chapter is a file of functions like this one:
         section.check(falling, "asphericity falls with λ", f"{first:.3f} to {last:.3f}")
 
 Decorating registers the function. The verdict of every row follows from the section's checks: all
-true "holds", some "holds in part", none "does not hold". Where checks cannot tell, the function
-returns section.verdict(kind, why). An exception makes the section "failed" and stops no other.
+true "holds", some "holds in part", none "does not hold". If checks cannot decide, the function
+returns section.verdict(kind, why). An exception marks the section as "failed"; the others still run.
 """
 import csv
 import html
@@ -361,16 +361,16 @@ def write(folder, sections, facts):
 
 INTRODUCTION = """
 <p>Every experiment and claim of chapters 2 to 5 of the doctoral thesis <i>Research of Spherical
-Style Deformation on Single Component Models</i>, run again with this project's filters, and the
-mistakes found in its formulas. The models of the thesis are not available; shapes made by code
-stand in for them, and real models where a section names one. Where a section says "to the letter",
-the filter ran with <code>ReproduceThesis</code>; otherwise it looks for the minimum of the
-half-edge energy, with the uniform weights and the center of the thesis and the settings named there.</p>
+Style Deformation on Single Component Models</i>, reproduced with this project's filters, and the
+mistakes found in its formulas. The models of the thesis are not available; generated shapes replace
+them, and real models where a section names one. Where a section says "to the letter", the filter
+ran with <code>ReproduceThesis</code>; otherwise it minimizes the half-edge energy, with the uniform
+weights and the center of the thesis and the settings named there.</p>
 <p>Each row below is one claim or experiment. Verdicts are computed from the numbers of this run:
 <i>holds</i> if every check of the row is met, <i>holds in part</i> if some are, <i>does not hold</i>
-if none is. Among the errata the claim is what the thesis says or implies, and <i>does not hold</i>
-confirms the mistake. <i>Not reproduced</i> names its reason, and <i>failed</i> is an experiment that
-broke off with a message.</p>
+if none is. In the errata, the claim is what the thesis says or implies, and <i>does not hold</i>
+confirms the mistake. A row that is <i>not reproduced</i> names the reason; <i>failed</i> means that the
+experiment stopped with an error message.</p>
 """
 
 
