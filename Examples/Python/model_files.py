@@ -36,8 +36,8 @@ def printable(text):
 
 
 def place_in(folder, name):
-    """The path of a file with this name in the folder. Makes the subfolders in the name. A link in the path must not lead
-    out of the folder."""
+    """The path of a file with this name in the folder. Makes the subfolders in the name. A link in the path must not
+    lead out of the folder."""
     place = folder / name
     if not place.resolve().is_relative_to(folder.resolve()):
         raise ModelError(f"{printable(place)} leads out of {printable(folder)}")

@@ -15,14 +15,14 @@ from surfaces import array, moved, points, triangles, with_array
 
 
 def nonlinear(context, model, iterations=30, **properties):
-    """Plain local and global steps, so many of them."""
+    """Runs a given number of plain local and global steps."""
     properties.setdefault("Roundness", 1.0)
     return context.nonlinear(model, StopRule=Nonlinear.FIXED_ITERATIONS, MaximumNumberOfIterations=iterations,
                              GenerateRotation=True, GenerateAuxiliaryScale=True, **properties)
 
 
 def as_written(context, model, iterations=30, **properties):
-    """The same with Eq. 3.12 and 3.26 - 3.42 to the letter."""
+    """The same, with Eq. 3.12 and 3.26 - 3.42 exactly as printed."""
     return nonlinear(context, model, iterations, CenterConstraint=Nonlinear.AS_WRITTEN, **properties)
 
 
@@ -93,7 +93,7 @@ class ByHand:
 
 
 def with_normals(model):
-    """The model with unit point normals of our own, and these."""
+    """The model with our own unit point normals, and these normals."""
     x, F = points(model), triangles(model)
     n = scatter(F.T.ravel(), np.tile(crosses(x, F), (3, 1)), len(x))
     n /= length(n)[:, None]

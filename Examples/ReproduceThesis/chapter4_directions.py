@@ -14,7 +14,7 @@ LEAST_CROSSINGS = 3  # of a ray that leaves the model, comes back and leaves aga
 
 
 def series(context, surface, values, **properties):
-    """{label: filter} to the letter and at the minimum."""
+    """{label: filter}, exactly as printed and at the minimum."""
     return ({f"λ = {v:g}": context.thesis(surface, Roundness=v, **properties) for v in values},
             {f"λ = {v:g}, minimum": context.style(surface, Roundness=v, **properties) for v in values})
 
@@ -37,7 +37,7 @@ def _of(name, statement):
 
 
 def no_folds(section, found, name="Results"):
-    """Returns whether it is so."""
+    """Returns whether the check holds."""
     some = {label: folded(m) for label, m in found.items() if folded(m)}
     return section.check(not some, _of(name, "no triangles intersect"),
                          ", ".join(f"{label}: {count}" for label, count in some.items())
@@ -548,7 +548,7 @@ def blends(section, context):
         found = result_table(section, context, f"{label}, λ = {value:g}", surface, runs)
         spreads = [m["AreaRatioSpread"] for m in found.values()]
         check_monotone(section, spreads, f"{label}: area spread rises with a", falling=False, row="A4.44")
-        if label != name:  # of a whole animal the asphericity says nothing about its parts
+        if label != name:  # the asphericity of the complete animal says nothing about its parts
             errors = [m["FittedSphereError"] for m in found.values()]
             check_monotone(section, errors, f"{label}: asphericity falls with a", row="A4.44")
         counts += [folded(m) for m in list(found.values())[1:-1]]

@@ -37,7 +37,7 @@ def feature(section, context):
             claim="t = (1 - a) d + a n, for a from 0 to 1.")
 def targets(section, context):
     surface = context.model("bipyramid")
-    # Normals without a corner or an edge in doubt: the filter gives its own at a = 1.
+    # Normals that are unambiguous at corners and edges: the filter's own, at a = 1.
     get = {a: array(context.style(surface, NormalBlend=a, MaximumNumberOfIterations=0, StopRule=2
                                   ).GetOutput(), "TargetDirection").astype(float)
            for a in (0.0, 0.3, 0.5, 1.0)}
@@ -334,7 +334,7 @@ def mesh_size(section, context):
         ball = context.model("icosphere", level=level)
         surface = moved(ball, points(ball) * (1.0, 0.45, 1.0))
         letter = context.thesis(surface, Roundness=0.5)
-        # The rule leaves the more undone the finer the mesh; this asks all for the same.
+        # The finer the mesh, the earlier the rule stops; this requires the same accuracy of all meshes.
         plain = context.style(surface, Roundness=0.5, InitialGuess=1, Acceleration=False,
                               Tolerance=1e-4, MaximumNumberOfIterations=4000)
         default = context.style(surface, Roundness=0.5)

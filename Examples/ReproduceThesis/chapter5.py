@@ -39,7 +39,7 @@ def rest(proxy):
 
 
 def distances(x, target):
-    """From each point to the nearest of a surface, by VTK's locator."""
+    """The distance from each point to the nearest point of a surface, by VTK's locator."""
     locator = vtkStaticCellLocator()
     locator.SetDataSet(target)
     locator.BuildLocator()
@@ -183,7 +183,7 @@ def proxy_of(context, model, mesher, count):
 def outside(model, hull):
     """How far points lie outside of a convex surface at most, over the diagonal."""
     x, F = points(hull), triangles(hull)
-    F = F[angles(x, F).min(axis=1) > 0.1]  # a sliver's normal is rounding
+    F = F[angles(x, F).min(axis=1) > 0.1]  # the normal of a sliver is only rounding error
     normal = normals_of(x, F)
     offset = np.einsum("ij,ij->i", normal, x[F[:, 0]])
     p = points(model)
@@ -684,7 +684,7 @@ def head(section, context):
 
 # ---------------------------------------------------------------------------------- limits, 5.4-5.6
 def unit(model):
-    """A copy of diagonal 1, for pictures of several models."""
+    """A copy scaled to diagonal 1, for pictures of several models."""
     return moved(model, points(model) / diagonal(points(model)))
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from context import history
 
 METRICS = ("vtkSurfaceMetrics",)
-RISE = 1e-10  # of the first energy; what rounding may lift an energy
+RISE = 1e-10  # fraction of the first energy by which rounding may raise an energy
 
 
 def energy_plot(section, name, runs, caption=""):
@@ -55,7 +55,7 @@ EXPLAINED = ("Sphericity is 1 for a ball; asphericity is the rms distance to the
 
 
 def result_table(section, context, name, surface, runs, caption=""):
-    """A row per run: measures against the model, iterations. Returns {label: metrics}."""
+    """A table with a row per run: measures compared with the model, and iterations. Returns {label: metrics}."""
     before = context.metrics(surface)
     results = {label: context.metrics(run.GetOutput(), surface) for label, run in runs.items()}
     rows = [["model", _finite(before["Sphericity"]), before["FittedSphereError"], None,

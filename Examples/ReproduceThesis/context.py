@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What experiments work with: models and filters."""
+"""The models and filters that experiments use."""
 import functools
 import pathlib
 
@@ -9,8 +9,8 @@ import models
 import sphericalstyle
 from surfaces import columns
 
-# What the experiments rely on, whatever the filters have by default: weights and center of the thesis, the pull toward
-# one ball as large as the model, no details kept, nothing split and nothing scaled.
+# Settings that the experiments need, regardless of the filters' defaults: weights and center of the thesis, the pull
+# toward one ball as large as the model, no details kept, no splitting and no scaling.
 SETTINGS = {
     "vtkThesisStyleFilter": {
         "Roundness": 0.5, "NormalBlend": 0.0, "NormalRadius": 1, "DetailSize": 0.0, "SphericalWeighting": 0,
@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Context:
-    """size: "small" or "full"; models_folder: of real models, or None."""
+    """size: "small" or "full"; models_folder: a folder with real models, or None."""
 
     def __init__(self, size="full", models_folder=None):
         self.size = size
@@ -35,7 +35,7 @@ class Context:
         return self.size == "small"
 
     def choose(self, small, full):
-        """One of two values by the size of the run."""
+        """Chooses one of two values, depending on the size of the run."""
         return small if self.small else full
 
     def _model(self, name, **parameters):
@@ -66,7 +66,7 @@ class Context:
         """The executed filter of this class.
 
         others: {port: data}; arrays: {index: (association, name)}, 0 for points and 1 for cells;
-        properties by their VTK names. Raises model_files.ModelError with the filter's own words.
+        properties by their VTK names. Raises model_files.ModelError with the filter's message.
         """
         algorithm = getattr(sphericalstyle, name)()
         messages = model_files.Messages(algorithm)
@@ -90,7 +90,7 @@ class Context:
         return self.run("vtkNonlinearStyleFilter", surface, **properties)
 
     def thesis(self, surface, **properties):
-        """The same to the letter of the thesis."""
+        """The same, exactly as printed in the thesis."""
         return self.style(surface, ReproduceThesis=True, **properties)
 
     def metrics(self, surface, reference=None, **properties):

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Errata: what is wrong, missing or ambiguous in the thesis, and what that does.
+"""Errata: what is wrong, missing or ambiguous in the thesis, and the consequences.
 
-The claim of a row is what the thesis says or implies, its checks are that claim put to the test.
-"Does not hold" confirms the erratum; the form to use instead is in the text.
+The claim of a row is what the thesis says or implies; its checks test that claim. "Does not hold"
+confirms the erratum; the text gives the correct form.
 """
 import numpy as np
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
@@ -31,7 +31,7 @@ def explain(section, problem, correct):
 
 
 def fixed(context, model, iterations, **properties):
-    """The thesis' start and plain local and global steps, so many of them."""
+    """Runs a given number of plain local and global steps from the thesis' start."""
     return context.style(model, InitialGuess=Style.REST, Acceleration=False,
                          StopRule=Style.FIXED_ITERATIONS, MaximumNumberOfIterations=iterations,
                          **properties)
@@ -39,7 +39,7 @@ def fixed(context, model, iterations, **properties):
 
 # ------------------------------------------------------------------------- an independent reference
 class Reference:
-    """Local and global steps of chapter 4 in numpy, dense and slow, with the mistakes on demand.
+    """Local and global steps of chapter 4 in numpy, dense and slow, optionally with the mistakes.
 
     local, whole: (c, l) per half-edge, the weights of the rigid and the spherical term in the local
     step and in the global one. tau: targets per half-edge. literal_border: border edges as if they
@@ -529,7 +529,7 @@ def flip(section, context):
     rows = []
     for name, subject in subjects:
         opposed = int(context.metrics(subject, FindSelfIntersections=False)["OpposedEdges"])
-        view = 205.0 if name == "spot" else 25.0  # who looks the other way
+        view = 205.0 if name == "spot" else 25.0  # spot faces the other way
         panels, row = [(subject, "model", None, view)], [name, opposed]
         for label, way in (("Keep", Style.KEEP), ("Flip", Style.FLIP)):
             q = context.style(subject, NormalBlend=1.0, Roundness=0.1, ConcaveEdges=way).GetOutput()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the experiments measure and no filter gives, on n x 3 points P and m x 3 triangles F."""
+"""Measures that no filter provides, on n x 3 points P and m x 3 triangles F."""
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkFiltersGeneral import vtkOBBTree
@@ -9,7 +9,7 @@ from surfaces import points, triangles
 
 
 def edges(F):
-    """k x 2, each edge once."""
+    """All edges, each once: an array k x 2."""
     return np.unique(np.sort(np.concatenate([F[:, :2], F[:, 1:], F[:, ::2]]), axis=1), axis=0)
 
 
@@ -64,14 +64,14 @@ def terms(P, F, kind):
 
 
 def rotations(S):
-    """R of largest tr(R S), n x 3 x 3."""
+    """The rotations R with the largest tr(R S), n x 3 x 3."""
     U, _, Qt = np.linalg.svd(S)
     U[:, :, 2] *= np.sign(np.linalg.det(U) * np.linalg.det(Qt))[:, None]
     return np.swapaxes(Qt, 1, 2) @ np.swapaxes(U, 1, 2)
 
 
 def scatter(index, values, count):
-    """Sums of rows of values with the same index."""
+    """For each index, the sum of the rows of values with that index."""
     flat = values.reshape(len(values), -1)
     sums = [np.bincount(index, flat[:, k], count) for k in range(flat.shape[1])]
     return np.column_stack(sums).reshape(count, *values.shape[1:])
@@ -136,7 +136,7 @@ def areas(P, F):
 
 
 def edge_curvatures(P, normals, E):
-    """Normal curvature along each edge, n turned over way gone: below 0 where concave."""
+    """Normal curvature along each edge: change of the normal divided by length, below 0 where concave."""
     e = P[E[:, 0]] - P[E[:, 1]]
     return dot(normals[E[:, 0]] - normals[E[:, 1]], e) / dot(e, e)
 

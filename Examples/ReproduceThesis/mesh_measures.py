@@ -7,17 +7,17 @@ from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from measures import areas, dot, length
 from surfaces import points, triangles
 
-SLIVER = 1e-3  # degrees; below, a triangle has no normal worth the name
+SLIVER = 1e-3  # degrees; with a smaller angle, a triangle has no reliable normal
 
 
 def places(x):
-    """For each point the first one at the same place."""
+    """For each point, the first point at the same position."""
     _, first, place = np.unique(x, axis=0, return_index=True, return_inverse=True)
     return first[place]
 
 
 def welded(surface):
-    """The triangles, with the first point of a place for all others there; without slivers."""
+    """The triangles without slivers, with coincident points replaced by the first of them."""
     x = points(surface)
     F = places(x)[triangles(surface)]
     return F[angles(x, F).min(axis=1) > SLIVER]
@@ -139,7 +139,7 @@ def open_edges(surface):
 
 # ------------------------------------------------------------------------------------------- shapes
 def aligned(a, b, scale=False):
-    """b moved, turned and, if asked, scaled onto a (Kabsch, Umeyama); and the factor."""
+    """b translated, rotated and optionally scaled to fit a (Kabsch, Umeyama), and the scale factor."""
     ca, cb = a.mean(axis=0), b.mean(axis=0)
     U, S, Vt = np.linalg.svd((b - cb).T @ (a - ca))
     handed = np.sign(np.linalg.det(U @ Vt))
@@ -150,13 +150,13 @@ def aligned(a, b, scale=False):
 
 
 def distance(a, b):
-    """Rms distance of corresponding points after the best move and turn, over the diagonal of a."""
+    """Rms distance of corresponding points after the best rigid motion, divided by the diagonal of a."""
     off = a - aligned(a, b)[0]
     return np.sqrt(dot(off, off).mean()) / diagonal(a)
 
 
 def similar(a, b):
-    """The same after the best scale, too, and that factor."""
+    """The same after the best rigid motion and scaling, and the scale factor."""
     near, factor = aligned(a, b, scale=True)
     return np.sqrt(dot(a - near, a - near).mean()) / diagonal(a), factor
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shapes of the experiments that are not in Data/, made by code: SHAPES[name](**parameters).
+"""Generated shapes for the experiments, besides those in Data/: SHAPES[name](**parameters).
 
 Y is up, triangles face outward, points are in double precision. Random numbers come from
 RandomState, whose stream numpy keeps frozen.
@@ -102,7 +102,7 @@ def ellipsoid(around=24, rings=16, axes=(1.0, 0.45, 1.0)):
 
 @shape("open-ellipsoid")
 def open_ellipsoid(around=24, rings=16, axes=(1.0, 0.45, 1.0), kept=0.75):
-    """The same without its cap above kept times the height."""
+    """The same without its cap: only the lower part, up to kept times the height."""
     whole = ellipsoid(around, rings, axes)
     height = points(whole)[triangles(whole), 1]
     return part(whole, (height <= kept * axes[1] + 1e-9).all(axis=1))
@@ -110,7 +110,7 @@ def open_ellipsoid(around=24, rings=16, axes=(1.0, 0.45, 1.0), kept=0.75):
 
 @shape("box")
 def box(size=(1.0, 1.0, 1.0), divisions=(10, 10, 10), alternate=True):
-    """Box at the origin. alternate: diagonals that keep its mirror planes, else all one way."""
+    """Box at the origin. alternate: diagonals preserve its mirror planes; otherwise all run in one direction."""
     return data.MakeBox(size, divisions, alternate)
 
 
@@ -130,7 +130,7 @@ def _capsule(p, start, end, radius):
 
 
 def _union(first, second, blend):
-    """Both, with a fillet about as wide as blend."""
+    """The union of both, with a fillet about as wide as blend."""
     h = np.maximum(blend - np.abs(first - second), 0.0) / blend
     return np.minimum(first, second) - 0.25 * blend * h * h
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of the report. Camera, light and clay are those of the other examples."""
+"""Pictures of the report, with the camera, light and clay shading of the other examples."""
 import html
 
 import matplotlib.font_manager
@@ -16,7 +16,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkP
 import model_pictures
 
 PANEL = (300, 280)  # pixels
-FONT = matplotlib.font_manager.findfont("DejaVu Sans")  # has λ, which VTK's own have not
+FONT = matplotlib.font_manager.findfont("DejaVu Sans")  # has λ, unlike VTK's own fonts
 SEQUENTIAL = [(0.96, 0.94, 0.90), (0.96, 0.75, 0.42), (0.85, 0.37, 0.20), (0.42, 0.10, 0.16)]
 DIVERGING = [(0.15, 0.30, 0.58), (0.60, 0.72, 0.85), (0.95, 0.94, 0.92), (0.93, 0.66, 0.50),
              (0.66, 0.14, 0.13)]
@@ -112,7 +112,7 @@ def _checkered(surface):
 
 
 def _shaded(surface):
-    """Normals as of the clay of model_pictures. Nothing is welded, so that the arrays still fit."""
+    """Normals as for the clay shading of model_pictures. No points are merged, so that arrays still fit."""
     normals = vtkPolyDataNormals()
     normals.SetFeatureAngle(60.0)
     normals.ConsistencyOff()
@@ -130,7 +130,7 @@ def _plain_actor(mapper):
 
 
 def _bar(array, limits):
-    """As SVG: browsers leave CSS backgrounds out of prints."""
+    """The color bar as SVG, since browsers do not print CSS backgrounds."""
     stops = _stops(limits)
     marks = "".join('<stop offset="{:.0%}" stop-color="rgb({:.0f}, {:.0f}, {:.0f})"/>'.format(
         i / (len(stops) - 1), *(255.0 * c for c in color)) for i, color in enumerate(stops))

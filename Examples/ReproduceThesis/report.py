@@ -30,14 +30,14 @@ import plots
 
 HOLDS, IN_PART, FAILS = "holds", "holds in part", "does not hold"
 NOT_REPRODUCED = "not reproduced"  # out of scope, or without the filter or model it needs
-FAILED = "failed"  # the experiment itself went wrong
+FAILED = "failed"  # the experiment stopped with an error
 KINDS = [HOLDS, IN_PART, FAILS, NOT_REPRODUCED, FAILED]
 
 EXPERIMENTS = []
 
 
 class Experiment:
-    """What the decorator was told, and the function."""
+    """The arguments of the decorator, and the function."""
 
     def __init__(self, rows, title, where, needs, function):
         self.rows = rows  # row id -> statement of the thesis
@@ -91,7 +91,7 @@ def slug(text):
 
 # ------------------------------------------------------------------------------------------ sections
 class Section:
-    """What one experiment says. Every part appears in the order of the calls."""
+    """The section of one experiment. Its parts appear in the order of the calls."""
 
     def __init__(self, experiment, folder):
         self.experiment = experiment
@@ -100,7 +100,7 @@ class Section:
         self.checks = []  # (holds, statement, found, row or None)
         self.verdicts = {}  # row -> (kind, why)
         self.seconds = 0.0
-        self.message = ""  # of a failure
+        self.message = ""  # of an error
         self.names = set()
 
     def text(self, text):
@@ -232,7 +232,7 @@ def _steps(count, step):
 
 
 def _plain(value):
-    """Python's own number of a numpy one."""
+    """Converts a numpy number to a Python number."""
     return value.item() if hasattr(value, "item") else value
 
 
@@ -261,7 +261,7 @@ def badge(kind):
 
 # ----------------------------------------------------------------------------------------------- run
 def run(experiment, context, folder):
-    """The section of one experiment, whatever happens in it."""
+    """Runs one experiment and returns its section, even if the experiment fails."""
     section = Section(experiment, folder)
     start = time.perf_counter()
     missing = [name for name in experiment.needs if not context.has(name)]

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run the experiments of the thesis again and write a report.
+"""Reproduce the experiments of the thesis and write a report.
 
     pvpython reproduce_thesis.py [--output DIR] [--models DIR] [--only LIST] [--size small|full]
 
 DIR/index.html is the report (default: thesis-report/), beside it a page per chapter, pictures/,
 plots/ and numbers/ (CSV). Files of the same names in DIR are replaced, others stay. The exit code
-is 1 if an experiment failed to run, which the report then shows; a claim that does not hold is a
-finding and no failure.
+is 1 if an experiment stopped with an error, which the report shows. A claim that does not hold is a
+result, not an error.
 
 The package sphericalstyle is taken from PYTHONPATH, or else from build/ of the project. Without a
 screen the command starts itself again under xvfb-run.
@@ -42,7 +42,7 @@ def parse():
 
 
 def need_screen():
-    """VTK's OpenGL window wants an X server even off screen, and aborts without one."""
+    """VTK's OpenGL window needs an X server even off screen, and aborts without one."""
     if os.environ.get("DISPLAY"):
         return
     if not shutil.which("xvfb-run"):
