@@ -3,6 +3,7 @@
 #include "vtkNormalAnalogyFilter.h"
 
 #include "NormalAnalogy.h"
+#include "SurfaceMeasures.h"
 #include "vtkFilterSupport.h"
 #include "vtkSurfaceMeshConversion.h"
 
@@ -32,9 +33,13 @@ Points NormalsOfSolid(int solid)
   source->SetSolidType(solid);
   source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   source->Update();
-  const vtkSurfaceMesh solidMesh =
-    vtkSurfaceMeshConversion::FromPolyData(source->GetOutput(), true);
-  return SphericalStyle::DistinctNormals(solidMesh.Mesh.P, solidMesh.Mesh.F);
+  SphericalStyle::TriangleMesh mesh =
+    vtkSurfaceMeshConversion::FromPolyData(source->GetOutput(), true).Mesh;
+  if (SphericalStyle::EnclosedVolume(mesh.P, mesh.F) < 0.0)
+  {
+    mesh.F.col(0).swap(mesh.F.col(2)); // tetrahedron and icosahedron of VTK 9.2 and earlier face inward
+  }
+  return SphericalStyle::DistinctNormals(mesh.P, mesh.F);
 }
 
 /// @param mesh  input port 1 or nullptr @throw std::invalid_argument naming the style mesh

@@ -65,7 +65,8 @@ public:
   ///@{
   /**
    * Shape whose normals the surface gets: one of the five regular solids as vtkPlatonicSolidSource
-   * makes them (Cube, the default, along the axes), or Mesh, input port 1.
+   * places them, with normals that face outward (Cube, the default, along the axes), or Mesh, input
+   * port 1.
    */
   vtkSetClampMacro(Style, int, TETRAHEDRON, MESH);
   vtkGetMacro(Style, int);

@@ -7,6 +7,7 @@
 
 #include "vtkNormalAnalogyFilter.h"
 #include "vtkPlatonicSolidSource.h"
+#include "vtkReverseSense.h"
 
 #include <tuple>
 
@@ -119,6 +120,27 @@ void CheckTargets(
   check(differ == 0, Text(differ) + " targets are not the closest normals");
 }
 
+/// The solid with all faces outward; in VTK 9.2 and earlier those of tetrahedron and icosahedron face inward.
+Surface MakeSolid(int style)
+{
+  vtkNew<vtkPlatonicSolidSource> source;
+  source->SetSolidType(style);
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->Update();
+  Surface solid = source->GetOutput();
+  vtkNew<vtkIdList> ids;
+  solid->GetCellPoints(0, ids);
+  const Vector normal = NormalOf(solid, { ids->GetId(0), ids->GetId(1), ids->GetId(2) });
+  if (vtkMath::Dot(normal.data(), solid->GetPoint(ids->GetId(0))) < 0.0)
+  {
+    vtkNew<vtkReverseSense> reverse;
+    reverse->SetInputData(solid);
+    reverse->Update();
+    solid = reverse->GetOutput();
+  }
+  return solid;
+}
+
 void Styles(Checker& check)
 {
   const int normals[] = { 4, 6, 8, 20, 12 };
@@ -127,10 +149,7 @@ void Styles(Checker& check)
   for (int style = 0; style < 5; ++style)
   {
     check.About("style " + Text(style));
-    vtkNew<vtkPlatonicSolidSource> source;
-    source->SetSolidType(style);
-    source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    source->Update();
+    const Surface solid = MakeSolid(style);
     Watched<FilterType> filter(model);
     filter->SetStyle(style);
     vtkPolyData* output = filter.Output();
@@ -146,16 +165,16 @@ void Styles(Checker& check)
 
     std::vector<Vector> all;
     vtkNew<vtkIdList> ids;
-    for (vtkIdType c = 0; c < source->GetOutput()->GetNumberOfCells(); ++c)
+    for (vtkIdType c = 0; c < solid->GetNumberOfCells(); ++c)
     {
-      source->GetOutput()->GetCellPoints(c, ids);
-      all.push_back(NormalOf(source->GetOutput(), { ids->GetId(0), ids->GetId(1), ids->GetId(2) }));
+      solid->GetCellPoints(c, ids);
+      all.push_back(NormalOf(solid, { ids->GetId(0), ids->GetId(1), ids->GetId(2) }));
     }
     CheckTargets(check, filter, model, all);
 
     Watched<FilterType> mesh(model);
     mesh->SetStyleToMesh();
-    mesh->SetStyleMeshConnection(source->GetOutputPort());
+    mesh->SetStyleMeshData(solid);
     check(SamePolyData(output, mesh.Output()), "the solid as a mesh should do the same");
     check(mesh.Errors.empty(), "no error");
   }
