@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClosedSurface.h"
 
+#include "CGALVersion.h"
 #include "SurfaceMeasures.h"
 #include "SurfaceMesh.h"
 
@@ -227,10 +228,16 @@ void FillByFan(SurfaceMesh& surface, HalfEdge border)
 void FillHole(SurfaceMesh& surface, HalfEdge border)
 {
   std::vector<SurfaceMesh::Face_index> faces;
-  std::vector<SurfaceMesh::Vertex_index> vertices;
   const bool isLong = surface.vertices_around_face(border).size() > LongBorder;
-  PMP::triangulate_and_refine_hole(surface, border, std::back_inserter(faces),
-    std::back_inserter(vertices), PMP::parameters::do_not_use_cubic_algorithm(isLong));
+  const auto parameters = PMP::parameters::do_not_use_cubic_algorithm(isLong);
+#if SPHERICALSTYLE_CGAL_6
+  PMP::triangulate_and_refine_hole(
+    surface, border, parameters.face_output_iterator(std::back_inserter(faces)));
+#else
+  std::vector<SurfaceMesh::Vertex_index> vertices;
+  PMP::triangulate_and_refine_hole(
+    surface, border, std::back_inserter(faces), std::back_inserter(vertices), parameters);
+#endif
   if (faces.empty())
   {
     FillByFan(surface, border);

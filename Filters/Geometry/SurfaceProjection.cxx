@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceProjection.h"
 
+#include "CGALVersion.h"
 #include "Parallel.h"
 
+#if SPHERICALSTYLE_CGAL_6
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
 #include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
+#endif
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
@@ -34,8 +40,13 @@ using Eigen::VectorXi;
 // are ours to decide; no predicate is asked for.
 using Cartesian = CGAL::Simple_cartesian<double>;
 using Corners = std::vector<Cartesian::Triangle_3>;
+#if SPHERICALSTYLE_CGAL_6
+using Primitive = CGAL::AABB_triangle_primitive_3<Cartesian, Corners::const_iterator>;
+using BoxTree = CGAL::AABB_tree<CGAL::AABB_traits_3<Cartesian, Primitive>>;
+#else
 using Primitive = CGAL::AABB_triangle_primitive<Cartesian, Corners::const_iterator>;
 using BoxTree = CGAL::AABB_tree<CGAL::AABB_traits<Cartesian, Primitive>>;
+#endif
 
 using PointMap = CGAL::Pointer_property_map<Cartesian::Point_3>::type;
 using PointTraits = CGAL::Search_traits_adapter<int, PointMap, CGAL::Search_traits_3<Cartesian>>;
