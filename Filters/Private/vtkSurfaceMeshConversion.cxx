@@ -26,6 +26,7 @@
 #include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
 #include "vtkStaticPointLocator.h"
+#include "vtkVersionMacros.h"
 
 #include <Eigen/Geometry>
 
@@ -48,16 +49,31 @@ using SphericalStyle::Points;
   throw std::invalid_argument(message.str());
 }
 
+/// Whether test(ids) holds for the point ids of all cells, one after the other, in the number type that the cells
+/// are stored with. VTK 9.6 has more storages than the two of 32 and 64 bits.
+template <typename Test>
+bool HoldsForPointIds(vtkCellArray* cells, Test&& test)
+{
+  bool holds = false;
+  const auto worker = [&](auto* ids) { holds = test(vtk::DataArrayValueRange<1>(ids)); };
+  vtkDataArray* ids = cells->GetConnectivityArray();
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(ids, worker))
+  {
+    worker(ids);
+  }
+  return holds;
+}
+
 /// Whether all point ids of the cells lie in 0..numberOfPoints - 1.
 bool AllInRange(vtkCellArray* cells, vtkIdType numberOfPoints)
 {
-  const auto inRange = [numberOfPoints](auto* ids)
-  {
-    return std::all_of(ids->Begin(), ids->End(),
-      [numberOfPoints](vtkIdType i) { return i >= 0 && i < numberOfPoints; });
-  };
-  return cells->IsStorage64Bit() ? inRange(cells->GetConnectivityArray64())
-                                 : inRange(cells->GetConnectivityArray32());
+  return HoldsForPointIds(cells,
+    [numberOfPoints](const auto& ids)
+    {
+      return std::all_of(ids.begin(), ids.end(),
+        [numberOfPoints](auto i)
+        { return static_cast<vtkIdType>(i) >= 0 && static_cast<vtkIdType>(i) < numberOfPoints; });
+    });
 }
 
 [[noreturn]] void RefuseFirstOutOfRange(
@@ -179,11 +195,20 @@ private:
       this->Polygon->Points->SetPoint(i, corners.row(i).data());
     }
     this->Cuts->Reset();
-    if (this->Polygon->Triangulate(this->Cuts) && this->Cuts->GetNumberOfIds() == 3 * (size - 2))
+    if (this->CutPolygon() && this->Cuts->GetNumberOfIds() == 3 * (size - 2))
     {
       return;
     }
     this->Fan(cell, size);
+  }
+
+  bool CutPolygon()
+  {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240617) // in ParaView 5.13
+    return this->Polygon->TriangulateLocalIds(0, this->Cuts) != 0;
+#else
+    return this->Polygon->Triangulate(this->Cuts) != 0;
+#endif
   }
 
   void Fan(vtkIdType cell, vtkIdType size)
@@ -292,10 +317,8 @@ bool HasTriangles(vtkPolyData* input, const vtkSurfaceMesh& surface)
   {
     return false;
   }
-  const auto equal = [&surface](auto* ids)
-  { return std::equal(ids->Begin(), ids->End(), surface.Corners.data()); };
-  return polys->IsStorage64Bit() ? equal(polys->GetConnectivityArray64())
-                                 : equal(polys->GetConnectivityArray32());
+  return HoldsForPointIds(polys,
+    [&surface](const auto& ids) { return std::equal(ids.begin(), ids.end(), surface.Corners.data()); });
 }
 
 /// Whether the points stand where those of the mesh do, and the others where they did.
@@ -455,7 +478,7 @@ std::vector<char> MovedGroups(const SphericalStyle::Triangles& F, const vtkSurfa
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
     const auto corners = surface.Mesh.F.row(f);
-    if (Q(corners, Eigen::all) != surface.Mesh.P(corners, Eigen::all))
+    if (Q(corners, SphericalStyle::AllColumns) != surface.Mesh.P(corners, SphericalStyle::AllColumns))
     {
       moved[F(f, 0)] = moved[F(f, 1)] = moved[F(f, 2)] = 1;
     }
@@ -476,7 +499,7 @@ void ReplacePointNormals(
   const std::vector<int> group = NormalGroups(surface, before, place);
   const SphericalStyle::Triangles F =
     surface.Corners.unaryExpr([&group](vtkIdType i) { return group[i]; });
-  const Points n = SphericalStyle::PointNormals(Q(place, Eigen::all), F);
+  const Points n = SphericalStyle::PointNormals(Q(place, SphericalStyle::AllColumns), F);
   const std::vector<char> moved = MovedGroups(F, surface, Q, place.size());
 
   auto normals = vtk::TakeSmartPointer(
