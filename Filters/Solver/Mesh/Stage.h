@@ -5,7 +5,6 @@
 #ifndef SphericalStyle_Stage_h
 #define SphericalStyle_Stage_h
 
-#include <optional>
 #include <utility>
 
 namespace SphericalStyle
@@ -25,19 +24,24 @@ public:
   template <typename Make>
   bool Update(Key key, const Make& make)
   {
-    if (this->Known && *this->Known == key)
+    if (this->IsMade && this->MadeFor == key)
     {
       return false;
     }
-    this->Known.reset();
+    this->Forget();
     ++this->Version;
     make(this->Made);
-    this->Known = std::move(key);
+    this->MadeFor = std::move(key);
+    this->IsMade = true;
     return true;
   }
 
   /// The next Update makes the value anew. Its memory is kept until then.
-  void Forget() noexcept { this->Known.reset(); }
+  void Forget() noexcept
+  {
+    this->IsMade = false;
+    this->MadeFor = Key{};
+  }
 
   /// Another one for every value that was made.
   int GetVersion() const { return this->Version; }
@@ -48,7 +52,8 @@ public:
   Value& Use() { return this->Made; }
 
 private:
-  std::optional<Key> Known; // none while it is being made, nor where that has thrown
+  bool IsMade = false; // not while it is being made, nor where that has thrown
+  Key MadeFor{};
   Value Made = {};
   int Version = 0;
 };
