@@ -61,7 +61,7 @@ WeightedNormals WithDirection(const Points& normals, const Eigen::VectorXd& weig
     }
   }
   WeightedNormals result;
-  result.normals = normals(good, Eigen::all);
+  result.normals = normals(good, SphericalStyle::AllColumns);
   if (weights.size() > 0)
   {
     result.weights = weights(good);

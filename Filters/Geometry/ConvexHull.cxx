@@ -104,7 +104,7 @@ TriangleMesh HullPolygon(const Points& P, const Points& principal)
 
   TriangleMesh mesh;
   const auto n = static_cast<Eigen::Index>(corners.size());
-  mesh.P = P(corners, Eigen::all);
+  mesh.P = P(corners, AllColumns);
   mesh.F.resize(n - 2, 3);
   for (Eigen::Index i = 0; i < n - 2; ++i)
   {
@@ -253,7 +253,7 @@ TriangleMesh Sorted(const TriangleMesh& mesh)
   }
   std::sort(triangles.begin(), triangles.end());
 
-  TriangleMesh result{ mesh.P(order, Eigen::all), Triangles(mesh.F.rows(), 3) };
+  TriangleMesh result{ mesh.P(order, AllColumns), Triangles(mesh.F.rows(), 3) };
   for (std::size_t f = 0; f < triangles.size(); ++f)
   {
     result.F.row(static_cast<Eigen::Index>(f)) << triangles[f][0], triangles[f][1], triangles[f][2];

@@ -79,7 +79,7 @@ Samples PoissonDiskSamples(
     radius *= std::sqrt(static_cast<double>(kept.size()) / options.numberOfPoints);
     kept = options.poissonDisk(dense.P, dense.normals, radius);
   }
-  return { dense.P(kept, Eigen::all), dense.normals(kept, Eigen::all) };
+  return { dense.P(kept, AllColumns), dense.normals(kept, AllColumns) };
 }
 
 /// Remeshes or splits the hull, with another edge length if the first gives too many or too few.

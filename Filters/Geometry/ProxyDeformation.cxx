@@ -239,8 +239,8 @@ void ProxyDeformation::State::MakeProxy(
   const TriangleMesh& model, const ProxyDeformationOptions& options, RestProxy& proxy)
 {
   const bool own = options.ownProxy.F.rows() > 0;
-  proxy.OfPart = !own && HullDimension(model.P(options.hullPoints, Eigen::all)) == 3;
-  const Points P = proxy.OfPart ? Points(model.P(options.hullPoints, Eigen::all)) : model.P;
+  proxy.OfPart = !own && HullDimension(model.P(options.hullPoints, AllColumns)) == 3;
+  const Points P = proxy.OfPart ? Points(model.P(options.hullPoints, AllColumns)) : model.P;
   proxy.Hull = own ? ConvexProxy() : MakeConvexProxy(P, options.convexProxy);
   this->Deformed.rest = own ? options.ownProxy : proxy.Hull.mesh;
   this->Solver.SetMesh(this->Deformed.rest);

@@ -70,7 +70,7 @@ void Hold(
       o.fixedPoints.push_back(static_cast<int>(i));
     }
   }
-  o.fixedPositions = surface.Mesh.P(o.fixedPoints, Eigen::all);
+  o.fixedPositions = surface.Mesh.P(o.fixedPoints, SphericalStyle::AllColumns);
 }
 
 vtkCenterIds CenterIds(vtkAlgorithm* self, const vtkSurfaceMesh& surface, vtkPolyData* model)

@@ -432,7 +432,7 @@ void TestOrders()
   for (const Model& model : Models())
   {
     const ScatteredMemory memory(14);
-    const Points other = model.P(random.Permutation(static_cast<int>(model.P.rows())), Eigen::all);
+    const Points other = model.P(random.Permutation(static_cast<int>(model.P.rows())), AllColumns);
     const Points twice = (Points(2 * other.rows(), 3) << other, model.P).finished();
     const TriangleMesh hull = ConvexHull(model.P).mesh;
     CHECK(
@@ -565,7 +565,7 @@ void TestSamples()
       CHECK_NEAR(onSides[k] / 10000.0, areas[k] / areas.sum(), 0.02, "share of samples on a side");
     }
     const std::vector<int> result = ThinOut(samples, normals, radius);
-    kept = samples(result, Eigen::all);
+    kept = samples(result, AllColumns);
     // Poisson disk: none nearer than the radius, none could be put back (A5.4).
     double nearest = 1e9;
     for (Eigen::Index i = 0; i < kept.rows(); ++i)

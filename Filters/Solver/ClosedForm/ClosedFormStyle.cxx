@@ -612,7 +612,7 @@ void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport&
         inside.push_back(static_cast<int>(f));
       }
     }
-    measured = (*this->F)(inside, Eigen::all);
+    measured = (*this->F)(inside, AllColumns);
     if (members.empty() || inside.empty())
     {
       return;

@@ -146,7 +146,7 @@ std::vector<GridPair> FindWalls(
         return;
       }
       const auto corners = F.row(hit.GetTriangle());
-      const Eigen::Matrix3d x = P(corners, Eigen::all).transpose();
+      const Eigen::Matrix3d x = P(corners, AllColumns).transpose();
       const Eigen::Vector3d face =
         (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0)).stableNormalized();
       const double outward = face.dot(direction); // cos theta

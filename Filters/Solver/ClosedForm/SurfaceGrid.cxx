@@ -318,7 +318,7 @@ void SurfaceGrid::Splatter::CutEvenly(int triangle, int n, Parts& parts) const
     }
     return parts.parts[number];
   };
-  const Eigen::Matrix3d corners = this->P(this->F.row(triangle), Eigen::all).transpose();
+  const Eigen::Matrix3d corners = this->P(this->F.row(triangle), AllColumns).transpose();
   const double area = 1.0 / (static_cast<double>(n) * n);
   const auto add = [&](const Eigen::Vector3d& barycentric, double share)
   {
@@ -444,7 +444,7 @@ void SurfaceGrid::Splatter::SumSubCell(const Part* begin, const Part* end, Sampl
   for (const Part* part = begin; part != end; ++part)
   {
     const auto corners = this->F.row(part->triangle);
-    const Eigen::Matrix3d x = this->P(corners, Eigen::all).transpose();
+    const Eigen::Matrix3d x = this->P(corners, AllColumns).transpose();
     const Eigen::Vector3d doubled = (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0));
     const double length = doubled.norm();
     if (!(length > 0.0))

@@ -460,7 +460,7 @@ void StyleSolver::State::StartFromRest(const StyleOptions& options)
   this->Q = this->P;
   if (!options.fixedPoints.empty())
   {
-    this->Q(options.fixedPoints, Eigen::all) = this->MeshFrame.Into(options.fixedPositions);
+    this->Q(options.fixedPoints, AllColumns) = this->MeshFrame.Into(options.fixedPositions);
   }
 }
 
@@ -470,7 +470,7 @@ void StyleSolver::State::ToModelUnits(const StyleOptions& options, StyleReport& 
   this->Positions = frame.OutOf(this->Q);
   if (!options.fixedPoints.empty())
   {
-    this->Positions(options.fixedPoints, Eigen::all) = options.fixedPositions; // exactly
+    this->Positions(options.fixedPoints, AllColumns) = options.fixedPositions; // exactly
   }
   if (!this->Positions.allFinite())
   {

@@ -39,7 +39,7 @@ void StyleSteps::MoveComponents(Points& Q) const
   else
   {
     const std::vector<int>& last = topology.GetLastPoints();
-    move = this->P(last, Eigen::all) - Q(last, Eigen::all);
+    move = this->P(last, AllColumns) - Q(last, AllColumns);
   }
   for (Eigen::Index c = 0; c < move.rows(); ++c)
   {

@@ -316,7 +316,7 @@ Points FoldFinder::Written(const Points& Q) const
 
 std::vector<Pair> FoldFinder::Pairs(const Points& Q, const std::vector<int>& triangles) const
 {
-  std::vector<Pair> pairs = this->Search({ Q, this->Rest.F(triangles, Eigen::all) });
+  std::vector<Pair> pairs = this->Search({ Q, this->Rest.F(triangles, AllColumns) });
   for (auto& [f, g] : pairs)
   {
     f = triangles[f];
@@ -347,7 +347,7 @@ Folds FoldFinder::Find(const Points& Q)
   const Points points = this->Written(Q);
   const std::vector<int> triangles = WithArea(points, this->Rest.F);
   Folds folds;
-  const TriangleMesh rest = { this->Rest.P, this->Rest.F(triangles, Eigen::all) };
+  const TriangleMesh rest = { this->Rest.P, this->Rest.F(triangles, AllColumns) };
   const std::vector<char> over =
     TurnedOver(rest.P, points, rest.F, SurfaceRotations(rest, points, this->Threads));
   for (std::size_t k = 0; k < over.size(); ++k)

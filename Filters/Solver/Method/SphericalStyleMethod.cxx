@@ -87,7 +87,7 @@ void SphericalStyleMethod::HoldFixedPoints(const MethodOptions& o)
 {
   if (!o.fixedPoints.empty())
   {
-    this->Positions(o.fixedPoints, Eigen::all) = o.fixedPositions;
+    this->Positions(o.fixedPoints, AllColumns) = o.fixedPositions;
   }
 }
 

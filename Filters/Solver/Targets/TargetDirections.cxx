@@ -85,7 +85,7 @@ Sphere SphereOfPart(const Points& P, const Triangles& F, const std::vector<int>&
   Sphere given = custom;
   if (center == CenterMode::PointMean)
   {
-    given.center = P(points, Eigen::all).colwise().mean();
+    given.center = P(points, AllColumns).colwise().mean();
     center = CenterMode::Custom;
   }
   if ((center == CenterMode::AreaCentroid || radius != RadiusMode::Custom) && triangles.empty())

@@ -426,7 +426,7 @@ void Invariance()
         permuted.centerIds[place[i]] = o.centerIds[i];
       }
       const Points there = Deformed(renumbered, permuted);
-      const double distance = Meshes::Distance(there(place, Eigen::all), expected) / diagonal;
+      const double distance = Meshes::Distance(there(place, AllColumns), expected) / diagonal;
       largest = std::max(largest, distance);
       CHECK(distance <= 1e-9, what << ": numbered anew, the result differs by " << distance);
     }
@@ -532,7 +532,7 @@ Points DisplacementsAt(const std::vector<Vector>& directions, const TriangleMesh
     double best = -1e-3; // a crack is not far from its rim
     for (Eigen::Index f = 0; f < ball.F.rows(); ++f)
     {
-      const Eigen::Matrix3d x = ball.P(ball.F.row(f), Eigen::all).transpose();
+      const Eigen::Matrix3d x = ball.P(ball.F.row(f), AllColumns).transpose();
       if (x.col(0).dot(directions[i]) < 0.5)
       {
         continue;
@@ -543,7 +543,7 @@ Points DisplacementsAt(const std::vector<Vector>& directions, const TriangleMesh
         best = shares.minCoeff();
         const Eigen::RowVector3i corners = ball.F.row(f);
         result.row(i) = (shares.transpose() / shares.sum()) *
-          (Q(corners, Eigen::all) - mesh.P(corners, Eigen::all));
+          (Q(corners, AllColumns) - mesh.P(corners, AllColumns));
       }
     }
   }

@@ -231,7 +231,7 @@ double RadiusOf(const Points& Q, const std::vector<int>& points, const Vector& a
 
 Eigen::RowVector3d MiddleOf(const Points& Q, const std::vector<int>& points)
 {
-  return Q(points, Eigen::all).colwise().mean();
+  return Q(points, AllColumns).colwise().mean();
 }
 
 void Measure(const Model& model)

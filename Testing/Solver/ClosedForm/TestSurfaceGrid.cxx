@@ -178,7 +178,7 @@ void Pairs(const Framed& s)
 {
   SurfaceGrid grid(s.P, s.F, 0.06, 1);
   // Along an edge.
-  Points ends = s.P(std::vector<int>{ s.F(0, 0), s.F(0, 1) }, Eigen::all);
+  Points ends = s.P(std::vector<int>{ s.F(0, 0), s.F(0, 1) }, AllColumns);
   ends.row(1) = ends.row(0) +
     std::min(1.0, 0.1 / (ends.row(1) - ends.row(0)).norm()) * (ends.row(1) - ends.row(0));
   const Fields X = grid.GetPlaces().col(0);

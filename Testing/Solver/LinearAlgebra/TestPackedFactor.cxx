@@ -197,8 +197,8 @@ void TestSubtrees()
   const RowMajor3 permuted = L * (L.transpose() * x);
   RowMajor3 b(n, 3);
   RowMajor3 expected(n, 3);
-  b(blocks.Pattern.permutation, Eigen::all) = permuted;
-  expected(blocks.Pattern.permutation, Eigen::all) = x;
+  b(blocks.Pattern.permutation, AllColumns) = permuted;
+  expected(blocks.Pattern.permutation, AllColumns) = x;
   const auto check = [&](const auto& packed, double tolerance)
   {
     RowMajor3 first;

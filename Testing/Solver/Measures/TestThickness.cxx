@@ -28,7 +28,7 @@ ThicknessProbes ProbesOf(const TriangleMesh& mesh, int threads = 1, int stride =
 
 Vector3d Opposite(const TriangleMesh& mesh, const ThicknessProbes& probes, std::size_t i)
 {
-  const Points corners = mesh.P(mesh.F.row(probes.triangles[i]), Eigen::all);
+  const Points corners = mesh.P(mesh.F.row(probes.triangles[i]), AllColumns);
   return (probes.barycentric.row(static_cast<Eigen::Index>(i)) * corners).transpose();
 }
 

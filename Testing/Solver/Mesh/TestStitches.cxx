@@ -469,7 +469,7 @@ void TestPartsFollow()
         options.fixedPoints.push_back(i);
       }
     }
-    options.fixedPositions = moved(options.fixedPoints, Eigen::all);
+    options.fixedPositions = moved(options.fixedPoints, AllColumns);
     const double difference = Meshes::Distance(Solved(mesh, options), moved);
     CHECK(difference <= 1e-3 * Meshes::Diagonal(mesh.P),
       named.name << ": parts should follow the one that is held, differ by "
@@ -563,7 +563,7 @@ CutResult SolveCut(const TriangleMesh& ball, int ring, StyleOptions options)
   options.centerMode = CenterMode::Custom; // the points along the cut count twice otherwise
   options.custom.center = ball.P.colwise().mean();
   options.loop.tolerance = 1e-6;
-  const Points whole = Solved(ball, options)(original, Eigen::all);
+  const Points whole = Solved(ball, options)(original, AllColumns);
   const auto difference = [&](Points result)
   {
     result.rowwise() += (whole - result).colwise().mean().eval();

@@ -40,10 +40,10 @@ std::vector<Pair> BruteForce(const TriangleMesh& mesh)
   std::vector<Pair> pairs;
   for (int f = 0; f < mesh.F.rows(); ++f)
   {
-    const Eigen::Matrix3d A = mesh.P(mesh.F.row(f).transpose(), Eigen::all);
+    const Eigen::Matrix3d A = mesh.P(mesh.F.row(f).transpose(), AllColumns);
     for (int g = f + 1; g < mesh.F.rows(); ++g)
     {
-      const Eigen::Matrix3d B = mesh.P(mesh.F.row(g).transpose(), Eigen::all);
+      const Eigen::Matrix3d B = mesh.P(mesh.F.row(g).transpose(), AllColumns);
       bool apart = (A.colwise().maxCoeff().array() < B.colwise().minCoeff().array()).any() ||
         (B.colwise().maxCoeff().array() < A.colwise().minCoeff().array()).any();
       for (const int i : mesh.F.row(f))

@@ -78,7 +78,7 @@ std::pair<double, double> FittedSphere(const Points& P, const std::vector<int>& 
       own.push_back(static_cast<int>(i));
     }
   }
-  const Points Q = P(own, Eigen::all);
+  const Points Q = P(own, AllColumns);
   Eigen::MatrixXd A(Q.rows(), 4);
   A << 2.0 * Q, Eigen::VectorXd::Ones(Q.rows());
   const Eigen::VectorXd x = A.colPivHouseholderQr().solve(Q.rowwise().squaredNorm());
@@ -169,9 +169,9 @@ void TestSpheresOfParts()
             triangles.push_back(static_cast<int>(f));
           }
         }
-        Triangles F = mesh.F(triangles, Eigen::all);
+        Triangles F = mesh.F(triangles, AllColumns);
         F = F.unaryExpr([&](int i) { return rank[i]; }).eval();
-        const Points P = mesh.P(own, Eigen::all);
+        const Points P = mesh.P(own, AllColumns);
         const Sphere alone = TargetSphere(P, F, center, radius, Sphere());
         CHECK_NEAR((spheres[k].center - alone.center).norm(), 0.0, 1e-13, "center of part " << k);
         CHECK_NEAR(spheres[k].radius, alone.radius, 1e-13, "radius of part " << k);
@@ -324,7 +324,7 @@ void TestSphereOfFreePoints()
       options.fixedPoints.push_back(static_cast<int>(i));
     }
   }
-  options.fixedPositions = mesh.P(options.fixedPoints, Eigen::all);
+  options.fixedPositions = mesh.P(options.fixedPoints, AllColumns);
   StyleSolver solver;
   solver.SetMesh(mesh);
   const StyleReport all = solver.Solve(options);
@@ -339,7 +339,7 @@ void TestSphereOfFreePoints()
   CHECK_NEAR((free.sphere.center - part.center).norm(), 0.0, 1e-13, "center of the free points");
   CHECK_NEAR(free.sphere.radius, part.radius, 1e-13, "radius of the free points");
   const Points Q = solver.GetPositions();
-  CHECK(Meshes::SameBits(Points(Q(options.fixedPoints, Eigen::all)), options.fixedPositions),
+  CHECK(Meshes::SameBits(Points(Q(options.fixedPoints, AllColumns)), options.fixedPositions),
     "fixed points should keep their bits");
   options.fixedPoints.resize(mesh.P.rows());
   std::iota(options.fixedPoints.begin(), options.fixedPoints.end(), 0);
