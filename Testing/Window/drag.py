@@ -11,6 +11,7 @@ what came before what is read from the order in the log. Needs xdotool, which se
 it.
 """
 import argparse
+import glob
 import json
 import os
 import shutil
@@ -200,7 +201,11 @@ def properties_of(options):
 
 
 def plugin_path(options):
-    return os.path.join(os.path.abspath(options.build), "lib", "paraview-5.11", "plugins")
+    """The folder has ParaView's version in its name."""
+    folders = glob.glob(os.path.join(os.path.abspath(options.build), "lib", "paraview-*", "plugins"))
+    if len(folders) != 1:
+        raise SystemExit(f"drag: {options.build}/lib has {len(folders)} folders paraview-*/plugins, not one")
+    return folders[0]
 
 
 def start_server(program, environment):
