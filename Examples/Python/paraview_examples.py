@@ -74,7 +74,8 @@ def save_row(file, surfaces, spacing, size, zoom):
         display = Show(surface, view)
         display.ColorArrayName = ["POINTS", ""]
         display.AmbientColor = display.DiffuseColor = [0.88, 0.62, 0.47]
-        display.Position = [spacing * place * (bounds[1] - bounds[0]), 0.0, 0.0]
+        position = "Position" if GetParaViewVersion() < (5, 13) else "Translation"
+        setattr(display, position, [spacing * place * (bounds[1] - bounds[0]), 0.0, 0.0])
     view.UseColorPaletteForBackground = 0
     view.Background = [1.0, 1.0, 1.0]
     view.OrientationAxesVisibility = 0

@@ -323,9 +323,9 @@ void Places(Checker& check)
 
       // The pixel under the normal.
       vtkImageData* image = Image(filter.Get());
-      const double pixel[3] = { vtkMath::DegreesFromRadians(std::atan2(n[1], n[0])),
+      double pixel[3] = { vtkMath::DegreesFromRadians(std::atan2(n[1], n[0])),
         vtkMath::DegreesFromRadians(std::asin(n[2] / vtkMath::Norm(n.data()))), 0.0 };
-      const vtkIdType nearest = image->FindPoint(pixel[0], pixel[1], 0.0);
+      const vtkIdType nearest = image->FindPoint(pixel);
       check(image->GetPointData()->GetScalars()->GetComponent(nearest, 0) == 1.0,
         "the image should have it at its longitude and latitude");
     }

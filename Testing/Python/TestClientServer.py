@@ -81,12 +81,17 @@ def run_all():
     return results
 
 
+def filter_named(name, before):
+    """The filter with the name that ParaView 6.1 has for it, or the one before."""
+    return globals().get(name) or globals()[before]
+
+
 def rounded_points(spread):
     """Points of a model by their ids, and facts. spread: over all processes, before it is rounded"""
-    model = GenerateIds(Input=XMLPolyDataReader(FileName=[os.path.join(DATA, "creature.vtp")]))
+    model = filter_named("PointAndCellIds", "GenerateIds")(Input=XMLPolyDataReader(FileName=[os.path.join(DATA, "creature.vtp")]))
     if spread:
         model = ExtractSurface(Input=RedistributeDataSet(Input=model))
-        processes = ProcessIdScalars(Input=model)
+        processes = filter_named("ProcessIds", "ProcessIdScalars")(Input=model)
         UpdatePipeline(proxy=processes)
         assert processes.PointData.GetArray("ProcessId").GetRange() == (0.0, PROCESSES - 1.0)
     style = SphericalStyle(Input=model, SphericalWeighting="Uniform", OutputPointsPrecision="Double")

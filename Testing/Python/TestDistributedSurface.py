@@ -565,7 +565,7 @@ def check_faults():
     wild = vtkPolyData()
     wild.DeepCopy(piece)
     if RANK == last:
-        wild.GetPolys().GetConnectivityArray().SetValue(5, 10**6)
+        wild.GetPolys().GetConnectivityArray().SetComponent(5, 0, 10**6)
     check_fault("point id out of range", wild, f"process {last}: ", [last])
     check_fault("no surface", vtkUnstructuredGrid() if RANK == last else piece, "Extract Surface", [last])
     own_ids = vtkPolyData()
