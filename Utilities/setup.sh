@@ -2,45 +2,64 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# usage: Utilities/setup.sh [--plain-vtk | --packages | --benchmarks | --checks | --docs]
+# usage: Utilities/setup.sh [--plain-vtk | --packages | --system | --benchmarks | --checks | --docs]
 #
-# Installs the missing Debian 12 packages for building, testing and the demo; does nothing if all are
-# installed.
+# Installs the missing packages for building, testing and the demo on Debian 12, 13 and testing; does nothing if all
+# are installed.
 #   --plain-vtk   also install what Utilities/test-plain-vtk.sh needs
 #   --packages    also install what Utilities/test-packages.sh needs
+#   --system      install only what Utilities/test-system.sh needs
 #   --benchmarks  also install what Benchmarks/ needs, and the libraries that it compares with
 #   --checks      also install what Utilities/check.sh and the checks in Testing/README.md need
 #   --docs        install only what Utilities/docs.sh needs
-# ANY_RELEASE=1 tries other releases of Debian, on which we do not test.
+# ANY_RELEASE=1 tries other releases of Debian, on which we do not test, with the packages of testing.
 # Uses sudo if you are not root. On other systems, install the equivalents of the packages below.
 set -euo pipefail
+
+release=$(. /etc/os-release 2>/dev/null && echo "${ID:-?} ${VERSION_CODENAME:-?}") ||
+  release="unknown system"
 
 packages=(
   # build
   ca-certificates cmake g++ git ninja-build
   libcgal-dev libeigen3-dev
-  # ParaView 5.11 with its VTK 9.2, its Python, the MPI its CMake package asks for, and mpirun
+  # ParaView with its VTK, its Python, the MPI its CMake package asks for, and mpirun
   libopenmpi-dev openmpi-bin paraview paraview-dev python3-paraview
-  # what makes the plugin's help pages, icons and widgets
-  qhelpgenerator-qt5 qtbase5-dev qtxmlpatterns5-dev-tools
+  # what makes the plugin's help pages
+  qhelpgenerator-qt5 qtxmlpatterns5-dev-tools xsltproc
   # headers that VTK's rendering modules require; the tests compare pictures
   libfreetype-dev libgl-dev libglew-dev libjpeg-dev libopengl-dev libpng-dev libx11-dev libxext-dev
-  # a screen for tests and demo: X server, software OpenGL, icons, a mouse
-  libgl1-mesa-dri libqt5svg5 xauth xdotool xvfb
+  # a screen for tests and demo: X server, software OpenGL, a mouse
+  libgl1-mesa-dri xauth xdotool xvfb
   python3-matplotlib python3-numpy python3-pil python3-scipy)
+# What the plugin's icons and widgets need, and what shows icons and help in ParaView.
+case $release in
+  "debian bookworm") packages+=(libqt5sql5-sqlite libqt5svg5 qtbase5-dev) ;; # ParaView 5.11, VTK 9.2
+  "debian trixie") # ParaView 5.13, VTK 9.4
+    packages+=(libpython3-dev libqt6sql6-sqlite qt6-base-dev qt6-svg-plugins)
+    ;;
+  *) # ParaView 6.1, which uses the system's VTK 9.6
+    packages+=(libpython3-dev libqt6sql6-sqlite libvtk9-dev libvtk9-qt-dev qt6-base-dev qt6-svg-plugins)
+    ;;
+esac
 
 documentation=(mkdocs mkdocs-material python3-pymdownx)
 
 case ${1:-} in
   "") ;;
   --plain-vtk)
-    # The run-time packages of VTK 9.1 install the libraries that VTK depends on. libvtk9-dev cannot
-    # be installed together with ParaView's Python, so the test unpacks it into the build folder. The
-    # -dev packages here have the headers that VTK's CMake package requires.
-    packages+=(libvtk9.1 libvtk9.1-qt
-      libdouble-conversion-dev libjsoncpp-dev liblz4-dev liblzma-dev libtbb-dev libutfcpp-dev)
+    # The run-time packages of VTK install the libraries that VTK depends on. libvtk9-dev cannot be
+    # installed together with ParaView's Python, so the test unpacks it into the build folder. The
+    # -dev packages here have the headers that VTK's CMake package requires. In Debian testing,
+    # ParaView uses libvtk9-dev, which is in the list above.
+    case $release in
+      "debian bookworm") packages+=(libvtk9.1 libvtk9.1-qt) ;;
+      "debian trixie") packages+=(libvtk9.3 libvtk9.3-qt) ;;
+    esac
+    packages+=(libdouble-conversion-dev libjsoncpp-dev liblz4-dev liblzma-dev libtbb-dev libutfcpp-dev)
     ;;
-  --packages) packages+=(debian-archive-keyring dpkg-dev file mmdebstrap) ;;
+  --packages) packages+=(debian-archive-keyring dpkg-dev file iproute2 mmdebstrap) ;;
+  --system) packages=(debian-archive-keyring iproute2 mmdebstrap) ;;
   --checks)
     packages+=(clang clang-format clang-tidy codespell gcovr shellcheck valgrind
       "${documentation[@]}" python3-yaml)
@@ -48,7 +67,7 @@ case ${1:-} in
   --docs) packages=(git "${documentation[@]}") ;;
   --benchmarks) packages+=(libbenchmark-dev libopen3d-dev libopenblas-dev libsuitesparse-dev) ;;
   *)
-    echo "usage: Utilities/setup.sh [--plain-vtk | --packages | --benchmarks | --checks | --docs]" >&2
+    echo "usage: Utilities/setup.sh [--plain-vtk | --packages | --system | --benchmarks | --checks | --docs]" >&2
     exit 2
     ;;
 esac
@@ -62,7 +81,7 @@ give_up()
 }
 
 command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||
-  give_up "This script needs Debian 12 and its apt-get, which was not found."
+  give_up "This script needs Debian and its apt-get, which was not found."
 
 missing=()
 for package in "${packages[@]}"; do
@@ -75,10 +94,8 @@ if [ ${#missing[@]} -eq 0 ]; then
   exit 0
 fi
 
-release=$(. /etc/os-release 2>/dev/null && echo "${ID:-?} ${VERSION_ID:-?}") ||
-  release="unknown system"
-[ "$release" = "debian 12" ] || [ -n "${ANY_RELEASE:-}" ] ||
-  give_up "This script supports Debian 12, but this is: $release. Missing packages: ${missing[*]}"
+[[ $release == debian\ @(bookworm|trixie|forky) ]] || [ -n "${ANY_RELEASE:-}" ] ||
+  give_up "This script supports Debian 12, 13 and testing, but this is: $release. Missing packages: ${missing[*]}"
 
 sudo=()
 if [ "$(id -u)" -ne 0 ]; then

@@ -4,18 +4,17 @@
 #
 # usage: Utilities/test-packages.sh [-v]
 #
-# Builds the Debian packages and tests them in a clean Debian 12 (made by mmdebstrap in BUILD_DIR): ParaView
-# and Python must find the filters without any environment variable, in scripts and in the window; a C++
+# Builds the Debian packages and tests them in a clean system of the same release (made by mmdebstrap in BUILD_DIR):
+# ParaView and Python must find the filters without any environment variable, in scripts and in the window; a C++
 # program outside the project must build and run; and removing the packages must leave no file behind. Needs
 # root, 4 GB of disk space and the Debian archive (DEBIAN_MIRROR=URL chooses another mirror).
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/debian-root.sh"
 
 take_test_options "$@"
-if [ "$(id -u)" -ne 0 ]; then
-  echo "Creating a Debian system for the tests requires root: sudo Utilities/test-packages.sh" >&2
-  exit 1
-fi
+need_root
 root=$build/debian
+release=$(. /etc/os-release && echo "$VERSION_CODENAME")
 
 make_packages()
 {
@@ -23,40 +22,18 @@ make_packages()
   (cd "$build" && cpack)
 }
 
-make_debian()
+make_clean_debian()
 {
-  rm -rf --one-file-system "$root"
-  mmdebstrap --variant=minbase --dpkgopt=force-unsafe-io bookworm "$root" ${DEBIAN_MIRROR:-}
-  echo "127.0.0.1 localhost" >"$root/etc/hosts" # minbase does not have this file
+  make_debian "$release"
   mkdir -p "$root/tmp/test"
   cp "$build"/packages/*.deb "$project"/Testing/Install/TestInstalled.py \
     "$project"/Testing/Python/TestImport.py "$project"/Testing/XML/*.xml "$root/tmp/test"
   chown -R nobody "$root/tmp/test"
 }
 
-# in_debian COMMAND... : runs it as root in the new Debian. The mounts end together with the command.
-in_debian()
-{
-  unshare --mount sh -ec '
-    root=$1; shift
-    mount -t proc proc "$root/proc"
-    mount -t sysfs -o ro sysfs "$root/sys"
-    mkdir -p "$root/dev/shm"
-    mount -t tmpfs tmpfs "$root/dev/shm"
-    exec chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 \
-      HOME=/tmp/test DEBIAN_FRONTEND=noninteractive LIBGL_ALWAYS_SOFTWARE=1 "$@"
-  ' sh "$root" "$@"
-}
-
-# as_user COMMAND... : runs it as a user without rights and settings, in the folder with the tests.
-as_user()
-{
-  in_debian setpriv --reuid=65534 --regid=65534 --clear-groups env -C /tmp/test "$@"
-}
-
 with_screen()
 {
-  as_user xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$@"
+  alone=1 as_user /tmp/test xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$@"
 }
 
 # field PACKAGE FIELD : prints a field of the package's control file
@@ -100,9 +77,9 @@ try_paraview()
   local names script
   names=$(sed -n 's/.*<SourceProxy .*name="\([A-Za-z]*\)".*/\1/p' "$project"/ParaViewPlugin/*.xml |
     sed 's/Filter$//')
-  as_user pvpython TestInstalled.py /usr pvserver $names
-  as_user pvbatch TestInstalled.py /usr - $names
-  as_user python3 TestImport.py "$(field sphericalstyle Version)" /usr
+  as_user /tmp/test pvpython TestInstalled.py /usr pvserver $names
+  as_user /tmp/test pvbatch TestInstalled.py /usr - $names
+  as_user /tmp/test python3 TestImport.py "$(field sphericalstyle Version)" /usr
   with_screen pvpython --dr /usr/share/doc/sphericalstyle/examples/Python/round_model.py \
     /usr/share/doc/sphericalstyle/examples/creature.vtp --output /tmp/test/rounded
   for script in "$root"/tmp/test/*Window.xml; do
@@ -112,22 +89,28 @@ try_paraview()
 
 try_cxx()
 {
-  as_user cmake -S /usr/share/doc/sphericalstyle/examples/Cxx -B cxx
-  as_user cmake --build cxx
+  as_user /tmp/test cmake -S /usr/share/doc/sphericalstyle/examples/Cxx -B cxx
+  as_user /tmp/test cmake --build cxx
   with_screen cxx/RoundModel /usr/share/doc/sphericalstyle/examples/creature.vtp --detail-size 0.03 \
     --output cxx.vtp --off-screen cxx.png
   test -s "$root/tmp/test/cxx.vtp" && test -s "$root/tmp/test/cxx.png"
 }
+
+# The package that shows icons of ParaView.
+case $release in
+  bookworm) icons=libqt5svg5 ;;
+  *) icons=qt6-svg-plugins ;;
+esac
 
 step_count=14
 set_up --packages
 step "Configuring" configure.log configure release
 step "Building" build.log cmake --build "$build"
 step "Building the packages" cpack.log make_packages
-step "Creating a Debian system" debian.log make_debian
+step "Creating a Debian system" debian.log make_clean_debian
 step "Installing what sphericalstyle depends on" depends.log \
   install_depends "$(field sphericalstyle Depends)" "$(field sphericalstyle Recommends)" \
-  xvfb xauth libgl1-mesa-dri libqt5svg5
+  xvfb xauth libgl1-mesa-dri "$icons"
 step "Installing sphericalstyle" install.log install_packages sphericalstyle
 step "Using it in ParaView and Python" use.log try_paraview
 step "Removing it" remove.log remove_packages sphericalstyle
@@ -137,7 +120,7 @@ step "Installing what sphericalstyle-dev depends on" dev-depends.log install_dep
 step "Installing sphericalstyle-dev" dev-install.log install_packages sphericalstyle sphericalstyle-dev
 step "Building and running a C++ program" dev-use.log try_cxx
 step "Removing both" dev-remove.log remove_packages sphericalstyle sphericalstyle-dev
-step "Removing the Debian system" debian-remove.log rm -rf --one-file-system "$root"
+step "Removing the Debian system" debian-remove.log remove_debian
 
 for package in "$build"/packages/*.deb; do
   echo "  $package: $(($(stat -c %s "$package") / 1024)) KB, $(dpkg-deb -f "$package" Installed-Size) KB installed"

@@ -55,10 +55,14 @@ set(dev_depends "sphericalstyle (= ${PROJECT_VERSION})")
 if (SPHERICALSTYLE_WITH_PARAVIEW)
   set(range "(>= ${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}), PACKAGE (<< ${ParaView_VERSION_MAJOR}.${paraview_next_minor}~)")
   string(REPLACE PACKAGE python3-paraview run_depends "python3-paraview ${range}")
-  set(CPACK_DEBIAN_RUN_PACKAGE_RECOMMENDS libqt5sql5-sqlite) # without it ParaView's help is empty
+  set(CPACK_DEBIAN_RUN_PACKAGE_RECOMMENDS # without it ParaView's help is empty
+    "libqt${PARAVIEW_QT_MAJOR_VERSION}sql${PARAVIEW_QT_MAJOR_VERSION}-sqlite")
   string(REPLACE PACKAGE paraview-dev paraview_dev "paraview-dev ${range}")
   # VTK's CMake package looks for MPI; programs that render also need the recommended packages.
   set(dev_depends "${dev_depends}, ${paraview_dev}, libopenmpi-dev")
+  if (NOT IS_DIRECTORY "${ParaView_DIR}/vtk")
+    string(APPEND dev_depends ", libvtk9-dev") # ParaView 6.1 uses the system's VTK
+  endif ()
   set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS
     "libfreetype-dev, libgl-dev, libglew-dev, libjpeg-dev, libopengl-dev, libpng-dev, libx11-dev, libxext-dev")
 else ()
