@@ -37,7 +37,8 @@ Points NormalsOfSolid(int solid)
     vtkSurfaceMeshConversion::FromPolyData(source->GetOutput(), true).Mesh;
   if (SphericalStyle::EnclosedVolume(mesh.P, mesh.F) < 0.0)
   {
-    mesh.F.col(0).swap(mesh.F.col(2)); // tetrahedron and icosahedron of VTK 9.2 and earlier face inward
+    mesh.F.col(0).swap(
+      mesh.F.col(2)); // tetrahedron and icosahedron of VTK 9.2 and earlier face inward
   }
   return SphericalStyle::DistinctNormals(mesh.P, mesh.F);
 }

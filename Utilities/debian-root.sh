@@ -7,6 +7,7 @@
 #
 #   root               folder of the system; set by the script
 #   DEBIAN_MIRROR=URL  another mirror of Debian
+: "${root:=}"
 
 need_root()
 {

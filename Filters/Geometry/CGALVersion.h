@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// We support CGAL 5.5, 6.0 and 6.2. Included by source files of this folder only, before what differs.
+/// We support CGAL 5.5, 6.0 and 6.2. Included by source files of this folder only, before what
+/// differs.
 #ifndef SphericalStyle_CGALVersion_h
 #define SphericalStyle_CGALVersion_h
 
 #include <CGAL/version.h>
 
-/// Whether boxes and triangles have the suffix _3, and iterators for the output are named parameters.
+/// Whether boxes and triangles have the suffix _3, and iterators for the output are named
+/// parameters.
 #define SPHERICALSTYLE_CGAL_6 (CGAL_VERSION_NR >= 1060000000)
 
 #endif

@@ -49,8 +49,8 @@ using SphericalStyle::Points;
   throw std::invalid_argument(message.str());
 }
 
-/// Whether test(ids) holds for the point ids of all cells, one after the other, in the number type that the cells
-/// are stored with. VTK 9.6 has more storages than the two of 32 and 64 bits.
+/// Whether test(ids) holds for the point ids of all cells, one after the other, in the number type
+/// that the cells are stored with. VTK 9.6 has more storages than the two of 32 and 64 bits.
 template <typename Test>
 bool HoldsForPointIds(vtkCellArray* cells, Test&& test)
 {
@@ -318,7 +318,8 @@ bool HasTriangles(vtkPolyData* input, const vtkSurfaceMesh& surface)
     return false;
   }
   return HoldsForPointIds(polys,
-    [&surface](const auto& ids) { return std::equal(ids.begin(), ids.end(), surface.Corners.data()); });
+    [&surface](const auto& ids)
+    { return std::equal(ids.begin(), ids.end(), surface.Corners.data()); });
 }
 
 /// Whether the points stand where those of the mesh do, and the others where they did.
@@ -478,7 +479,8 @@ std::vector<char> MovedGroups(const SphericalStyle::Triangles& F, const vtkSurfa
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
     const auto corners = surface.Mesh.F.row(f);
-    if (Q(corners, SphericalStyle::AllColumns) != surface.Mesh.P(corners, SphericalStyle::AllColumns))
+    if (Q(corners, SphericalStyle::AllColumns) !=
+      surface.Mesh.P(corners, SphericalStyle::AllColumns))
     {
       moved[F(f, 0)] = moved[F(f, 1)] = moved[F(f, 2)] = 1;
     }

@@ -120,7 +120,8 @@ void CheckTargets(
   check(differ == 0, Text(differ) + " targets are not the closest normals");
 }
 
-/// The solid with all faces outward; in VTK 9.2 and earlier those of tetrahedron and icosahedron face inward.
+/// The solid with all faces outward; in VTK 9.2 and earlier those of tetrahedron and icosahedron
+/// face inward.
 Surface MakeSolid(int style)
 {
   vtkNew<vtkPlatonicSolidSource> source;

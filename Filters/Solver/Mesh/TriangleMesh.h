@@ -26,8 +26,8 @@ using Matrices = std::vector<Eigen::Matrix3d>;
 
 constexpr double Pi = EIGEN_PI;
 
-/// P(ids, AllColumns) are the rows `ids` of P. Eigen 3.4 and 5 have this type under the same name, but not the same
-/// constant.
+/// P(ids, AllColumns) are the rows `ids` of P. Eigen 3.4 and 5 have this type under the same name,
+/// but not the same constant.
 inline const Eigen::placeholders::all_t AllColumns{};
 
 /// Triangles in space. No orientation, closedness or manifoldness is asked for.
