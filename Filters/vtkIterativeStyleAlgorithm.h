@@ -43,7 +43,7 @@ public:
   /**
    * When the iteration ends: Converged (default; estimated energy gap below Tolerance, reached in
    * fewer iterations by Anderson acceleration), Thesis (the step of Eq. 3.46 below 0.001; stops
-   * with 10 to 40 % of the shape still missing) or FixedIterations (exactly
+   * with up to 30 % of the displacement still missing) or FixedIterations (exactly
    * MaximumNumberOfIterations). The last two do plain local and global steps.
    */
   vtkSetClampMacro(StopRule, int, CONVERGED, FIXED_ITERATIONS);
