@@ -12,7 +12,7 @@
 #   --benchmarks  also install what Benchmarks/ needs, and the libraries that it compares with
 #   --checks      also install what Utilities/check.sh and the checks in Testing/README.md need
 #   --docs        install only what Utilities/docs.sh needs
-# ANY_RELEASE=1 tries other releases of Debian, on which we do not test, with the packages of testing.
+# ANY_RELEASE=1 tries other releases of Debian and Ubuntu 24.04, on which we do not test.
 # Uses sudo if you are not root. On other systems, install the equivalents of the packages below.
 set -euo pipefail
 
@@ -34,7 +34,8 @@ packages=(
   python3-matplotlib python3-numpy python3-pil python3-scipy)
 # What the plugin's icons and widgets need, and what shows icons and help in ParaView.
 case $release in
-  "debian bookworm") packages+=(libqt5sql5-sqlite libqt5svg5 qtbase5-dev) ;; # ParaView 5.11, VTK 9.2
+  # Ubuntu 24.04 has these versions as well; nobody has tried it.
+  "debian bookworm" | "ubuntu noble") packages+=(libqt5sql5-sqlite libqt5svg5 qtbase5-dev) ;; # ParaView 5.11, VTK 9.2
   "debian trixie") # ParaView 5.13, VTK 9.4
     packages+=(libpython3-dev libqt6sql6-sqlite qt6-base-dev qt6-svg-plugins)
     ;;
@@ -53,7 +54,7 @@ case ${1:-} in
     # -dev packages here have the headers that VTK's CMake package requires. In Debian testing,
     # ParaView uses libvtk9-dev, which is in the list above.
     case $release in
-      "debian bookworm") packages+=(libvtk9.1 libvtk9.1-qt) ;;
+      "debian bookworm" | "ubuntu noble") packages+=(libvtk9.1 libvtk9.1-qt) ;;
       "debian trixie") packages+=(libvtk9.3 libvtk9.3-qt) ;;
     esac
     packages+=(libdouble-conversion-dev libjsoncpp-dev liblz4-dev liblzma-dev libtbb-dev libutfcpp-dev)

@@ -15,7 +15,7 @@ take_test_options "$@"
 # Prints the version of VTK's packages, such as 9.1.
 vtk_version()
 {
-  apt-cache show libvtk9-dev | sed -n '/^Version:/{s/^Version: \([0-9]*\.[0-9]*\).*/\1/p;q}'
+  apt-cache show --no-all-versions libvtk9-dev | sed -n 's/^Version: \([0-9]*\.[0-9]*\).*/\1/p'
 }
 
 fetch_vtk()
