@@ -4,8 +4,8 @@
 #
 # usage: Utilities/setup.sh [--plain-vtk | --packages | --system | --benchmarks | --checks | --docs]
 #
-# Installs the missing packages for building, testing and the demo on Debian 12, 13 and testing; does nothing if all
-# are installed.
+# Installs the missing packages for building, testing and the demo on Debian 12, 13 and testing (Testing/Systems.md);
+# does nothing if all are installed.
 #   --plain-vtk   also install what Utilities/test-plain-vtk.sh needs
 #   --packages    also install what Utilities/test-packages.sh needs
 #   --system      install only what Utilities/test-system.sh needs
