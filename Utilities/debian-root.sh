@@ -6,7 +6,9 @@
 # shellcheck shell=bash
 #
 #   root               folder of the system; set by the script
-#   DEBIAN_MIRROR=URL  another mirror of Debian
+#   DEBIAN_MIRROR=URL  another mirror of Debian, or a line of apt's sources.list:
+#                      DEBIAN_MIRROR="deb [check-valid-until=no] http://deb.debian.org/debian testing main"
+#                      accepts a mirror that is weeks old
 : "${root:=}"
 
 need_root()
@@ -21,7 +23,7 @@ need_root()
 make_debian()
 {
   remove_debian
-  mmdebstrap --variant=minbase --dpkgopt=force-unsafe-io "$1" "$root" ${DEBIAN_MIRROR:-}
+  mmdebstrap --variant=minbase --dpkgopt=force-unsafe-io "$1" "$root" ${DEBIAN_MIRROR:+"$DEBIAN_MIRROR"}
   echo "127.0.0.1 localhost" >"$root/etc/hosts" # minbase does not have this file
 }
 

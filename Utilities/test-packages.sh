@@ -74,12 +74,13 @@ remove_packages()
 
 try_paraview()
 {
-  local names script
+  local names script version
   names=$(sed -n 's/.*<SourceProxy .*name="\([A-Za-z]*\)".*/\1/p' "$project"/ParaViewPlugin/*.xml |
     sed 's/Filter$//')
   as_user /tmp/test pvpython TestInstalled.py /usr pvserver $names
   as_user /tmp/test pvbatch TestInstalled.py /usr - $names
-  as_user /tmp/test python3 TestImport.py "$(field sphericalstyle Version)" /usr
+  version=$(field sphericalstyle Version)
+  as_user /tmp/test python3 TestImport.py "${version%-*}" /usr
   with_screen pvpython --dr /usr/share/doc/sphericalstyle/examples/Python/round_model.py \
     /usr/share/doc/sphericalstyle/examples/creature.vtp --output /tmp/test/rounded
   for script in "$root"/tmp/test/*Window.xml; do

@@ -22,6 +22,13 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+# The version says what the packages fit, as in 1.0.0-1+paraview5.13. It grows with ParaView's, so upgrading Debian
+# upgrades them.
+if (SPHERICALSTYLE_WITH_PARAVIEW)
+  set(CPACK_DEBIAN_PACKAGE_RELEASE "1+paraview${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}")
+else ()
+  set(CPACK_DEBIAN_PACKAGE_RELEASE "1+vtk${VTK_MAJOR_VERSION}.${VTK_MINOR_VERSION}")
+endif ()
 
 # A package is a group of components. The names of the components are those of VTK and ParaView.
 set(CPACK_COMPONENTS_ALL runtime paraview_plugins python development)
@@ -36,7 +43,7 @@ set(CPACK_DEBIAN_RUN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_RUN_DESCRIPTION
   "The result ranges from slightly softened to a ball, with or without the details
 of the model. This package contains the plugin for ParaView, the Python package
-sphericalstyle and the library.")
+sphericalstyle and the library, built for ${sphericalstyle_built_for}.")
 set(CPACK_DEBIAN_RUN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 # postinst and prerm create and remove Python's byte code; shlibs is for packages of programs that link the library.
@@ -51,7 +58,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_DESCRIPTION
   "This package contains what C++ programs need to use the filters: headers and
 files for CMake's find_package(SphericalStyle).")
-set(dev_depends "sphericalstyle (= ${PROJECT_VERSION})")
+set(dev_depends "sphericalstyle (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 if (SPHERICALSTYLE_WITH_PARAVIEW)
   set(range "(>= ${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}), PACKAGE (<< ${ParaView_VERSION_MAJOR}.${paraview_next_minor}~)")
   string(REPLACE PACKAGE python3-paraview run_depends "python3-paraview ${range}")

@@ -12,4 +12,8 @@
 /// parameters.
 #define SPHERICALSTYLE_CGAL_6 (CGAL_VERSION_NR >= 1060000000)
 
+/// Whether the functions for borders belong to the namespace CGAL. Their old header makes calls in
+/// CGAL's own headers ambiguous.
+#define SPHERICALSTYLE_CGAL_6_2 (CGAL_VERSION_NR >= 1060200000)
+
 #endif

@@ -6,12 +6,16 @@
 #include "SurfaceMeasures.h"
 #include "SurfaceMesh.h"
 
-#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#if SPHERICALSTYLE_CGAL_6_2
+#include <CGAL/boost/graph/border.h>
+#else
+#include <CGAL/Polygon_mesh_processing/border.h>
+#endif
 
 #include <Eigen/Geometry>
 
@@ -26,6 +30,11 @@ namespace SphericalStyle
 namespace
 {
 namespace PMP = CGAL::Polygon_mesh_processing;
+#if SPHERICALSTYLE_CGAL_6_2
+using CGAL::extract_boundary_cycles;
+#else
+using PMP::extract_boundary_cycles;
+#endif
 
 using Triangle = std::array<std::size_t, 3>;
 using HalfEdge = SurfaceMesh::Halfedge_index;
@@ -247,7 +256,7 @@ void FillHole(SurfaceMesh& surface, HalfEdge border)
 int FillHoles(SurfaceMesh& surface)
 {
   std::vector<HalfEdge> borders;
-  PMP::extract_boundary_cycles(surface, std::back_inserter(borders));
+  extract_boundary_cycles(surface, std::back_inserter(borders));
   for (const HalfEdge border : borders)
   {
     FillHole(surface, border);

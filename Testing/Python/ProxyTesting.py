@@ -110,6 +110,11 @@ def check_blocks(make_filter, data):
         assert own.GetNumberOfPoints() > 0 and points(own) == points(blocks.GetBlock(k)), k
 
 
+def move(display, x):
+    """Shows it moved by x along the first axis."""
+    setattr(display, "Position" if GetParaViewVersion() < (5, 13) else "Translation", [x, 0.0, 0.0])
+
+
 def same_picture(outputs):
     """Whether the outputs side by side look like the baseline of the command line."""
     view = CreateRenderView(ViewSize=[800, 200], UseColorPaletteForBackground=0,
@@ -118,7 +123,7 @@ def same_picture(outputs):
         display = Show(output, view)
         display.ColorArrayName = ["POINTS", ""]
         display.AmbientColor = display.DiffuseColor = [0.88, 0.62, 0.47]
-        display.Position = [1.3 * place, 0.0, 0.0]
+        move(display, 1.3 * place)
     Render(view)  # the first one resets the camera
     view.CameraPosition, view.CameraFocalPoint = [1.95, 0.9, 8.0], [1.95, 0.45, 0.0]
     view.CameraViewUp, view.CameraViewAngle = [0.0, 1.0, 0.0], 9.0

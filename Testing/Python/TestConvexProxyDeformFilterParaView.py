@@ -9,7 +9,7 @@ import sys
 from paraview import servermanager, smtesting
 from paraview.simple import *
 
-from ProxyTesting import bounds, make_growing_sphere, points
+from ProxyTesting import bounds, make_growing_sphere, move, points
 
 plugin, data = sys.argv[1:3]
 smtesting.ProcessCommandLineArguments()
@@ -54,7 +54,7 @@ for place, output, color in (
     display = Show(output, view)
     display.ColorArrayName = ["POINTS", ""]
     display.AmbientColor = display.DiffuseColor = color
-    display.Position = [1.7 * place, 0.0, 0.0]
+    move(display, 1.7 * place)
 Render(view)  # the first one resets the camera
 view.CameraPosition, view.CameraFocalPoint = [6.0, 4.6, 14.0], [2.65, 0.38, 0.0]
 view.CameraViewUp, view.CameraViewAngle = [0.0, 1.0, 0.0], 7.4

@@ -132,7 +132,7 @@ one = deform(model, CenterMode="Custom", Center=[0.0, 0.0, 0.1], RadiusMode="Cus
              AxisGain=[1.0, 2.0, 1.0], BlendRange=[0.25, 0.5])
 update(one)
 assert math.dist(one.GetPropertyValue("EffectiveCenter"), (0.0, 0.0, 0.1)) < 1e-12
-assert one.GetPropertyValue("EffectiveRadius") == 0.7
+assert math.isclose(one.GetPropertyValue("EffectiveRadius"), 0.7, rel_tol=1e-12)
 filter_ = one.SMProxy.GetClientSideObject()
 assert filter_.GetAxisGain() == (1.0, 2.0, 1.0) and filter_.GetBlendRange() == (0.25, 0.5)
 

@@ -10,6 +10,8 @@ import sys
 from paraview import servermanager, smtesting
 from paraview.simple import *
 
+from ProxyTesting import move
+
 plugin, data = sys.argv[1:3]
 smtesting.ProcessCommandLineArguments()
 LoadPlugin(plugin, remote=False, ns=globals())
@@ -66,7 +68,7 @@ for place, source in enumerate((
         GaussMap(Input=cube, SphereUnits="Equal Area", NumberOfEqualAreaUnits=100))):
     display = Show(source, view)
     ColorBy(display, ("CELLS", "Density"))
-    display.Position = [2.2 * place, 0.0, 0.0]
+    move(display, 2.2 * place)
 colors = GetColorTransferFunction("Density")
 colors.RGBPoints = [0.0, 0.2, 0.3, 0.8, 0.5, 1.0, 0.9, 0.2, 4.0, 0.8, 0.1, 0.1]
 colors.ColorSpace = "RGB"

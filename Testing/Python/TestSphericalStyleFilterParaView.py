@@ -9,7 +9,7 @@ import sys
 from paraview import servermanager, smtesting
 from paraview.simple import *
 
-from ProxyTesting import bounds, make_growing_sphere
+from ProxyTesting import bounds, make_growing_sphere, move
 
 plugin, data = sys.argv[1:3]
 smtesting.ProcessCommandLineArguments()
@@ -59,7 +59,7 @@ for place, proxy in enumerate((model, first, second)):
     display = Show(proxy, view)
     display.ColorArrayName = ["POINTS", ""]
     display.AmbientColor = display.DiffuseColor = [0.88, 0.62, 0.47]
-    display.Position = [1.0 * place, 0.0, 0.0]
+    move(display, 1.0 * place)
 Render(view)  # the first one resets the camera
 view.CameraPosition, view.CameraFocalPoint = [1.0, 0.9, 4.4], [1.0, 0.5, 0.0]
 view.CameraViewUp, view.CameraViewAngle = [0.0, 1.0, 0.0], 16.0

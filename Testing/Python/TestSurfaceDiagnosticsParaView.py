@@ -9,6 +9,8 @@ import sys
 from paraview import servermanager, smtesting
 from paraview.simple import *
 
+from ProxyTesting import move
+
 plugin, data = sys.argv[1:3]
 smtesting.ProcessCommandLineArguments()
 LoadPlugin(plugin, remote=False, ns=globals())
@@ -45,7 +47,7 @@ for place, (association, array) in enumerate((("CELLS", "Component"), ("POINTS",
     colors = GetColorTransferFunction(array)
     colors.RescaleTransferFunction(0.0, 23.0 if array == "Component" else 1.0)
     display.SetScalarBarVisibility(view, False)
-    display.Position = [1.4 * size[0] * place, 0.0, 0.0]
+    move(display, 1.4 * size[0] * place)
 Render(view)  # the first one resets the camera
 middle = [center[0] + 2.1 * size[0], center[1], center[2]]
 view.CameraFocalPoint = middle

@@ -100,9 +100,12 @@ def solid(kind, levels, stretch=(1.0, 1.0, 1.0)):
     clean.SetInputConnection(source.GetOutputPort())
     divide = vtkLinearSubdivisionFilter()
     divide.SetNumberOfSubdivisions(levels)
-    turn = vtkReverseSense()  # the source's normals look inward
+    clean.Update()
+    corners = [clean.GetOutput().GetPoint(clean.GetOutput().GetCell(0).GetPointId(k)) for k in range(3)]
+    turn = vtkReverseSense()
     turn.SetInputConnection(clean.GetOutputPort())
-    divide.SetInputConnection(turn.GetOutputPort())
+    inward = np.linalg.det(corners) < 0  # some solids, until VTK 9.2
+    divide.SetInputConnection((turn if inward else clean).GetOutputPort())
     divide.Update()
     surface = vtkPolyData()
     surface.DeepCopy(divide.GetOutput())

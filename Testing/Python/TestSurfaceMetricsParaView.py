@@ -9,6 +9,8 @@ import sys
 from paraview import servermanager, smtesting
 from paraview.simple import *
 
+from ProxyTesting import move
+
 plugin, data = sys.argv[1:3]
 smtesting.ProcessCommandLineArguments()
 LoadPlugin(plugin, remote=False, ns=globals())
@@ -48,7 +50,7 @@ for place, (proxy, association, array, limits) in enumerate((
     ColorBy(display, (association, array))
     GetColorTransferFunction(array).RescaleTransferFunction(*limits)
     display.SetScalarBarVisibility(view, False)
-    display.Position = [1.0 * place, 0.0, 0.0]
+    move(display, 1.0 * place)
 Render(view)  # the first one resets the camera
 view.CameraPosition, view.CameraFocalPoint = [1.0, 0.9, 4.4], [1.0, 0.5, 0.0]
 view.CameraViewUp, view.CameraViewAngle = [0.0, 1.0, 0.0], 16.0

@@ -1,15 +1,25 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Hashes of results: is a change of the code none of the results?
+"""Hashes of results: does a change of the code leave all results as they are?
 
-Every model through many settings of the filters; a line for each: model, case, and the start of the SHA-256 of the
-points, the cells and the arrays that come out. Keep the lines of one build, make those of the other, and compare:
+Runs every model through many settings of the filters. Prints a line for each: model, case, and the start of the
+SHA-256 of the points, the cells and the arrays of the result. To compare two builds:
 
     hashes.py > before.txt;  hashes.py > after.txt;  diff before.txt after.txt
 
-Claims nothing by itself, so it is no test: results differ between compilers and instruction sets.
+Two systems have different compilers and math libraries, so the last bits of their results differ. To see by how much:
+
+    hashes.py --save A        on one system, hashes.py --save B on the other
+    hashes.py --compare A B   prints the largest distance between the two positions of a point, in percent of the
+                              diagonal of the result, for each case over all models
+
+This script is not a test: it has no expected result.
 """
+import collections
 import hashlib
+import os
+
+import numpy
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -68,8 +78,8 @@ def of(output):
     return digest.hexdigest()[:16]
 
 
-def hashes(surface, kind, properties):
-    """One of each output; the errors of the filter are part of the result, too."""
+def results(surface, kind, properties):
+    """The outputs of a filter, and the first letter of each of its errors and warnings."""
     algorithm = getattr(sphericalstyle, kind)()
     algorithm.SetInputData(surface)
     surfaces.set_properties(algorithm, properties)
@@ -77,15 +87,55 @@ def hashes(surface, kind, properties):
     for event in ("ErrorEvent", "WarningEvent"):
         algorithm.AddObserver(event, lambda _source, name: messages.append(name[:1]))
     algorithm.Update()
-    outputs = [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
-    return " ".join([of(output) for output in outputs] + messages)
+    return [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())], messages
+
+
+def save(output, path):
+    points, cells = output.GetPoints(), output.GetPolys()
+    numpy.savez(path, points=vtk_to_numpy(points.GetData()) if points else numpy.zeros((0, 3)),
+                cells=vtk_to_numpy(cells.GetConnectivityArray()).astype(numpy.int32))
+
+
+def distances(one, other):
+    """Largest and root mean square distance between corresponding points, in percent of the diagonal; None if the
+    triangles differ."""
+    with numpy.load(one) as a, numpy.load(other) as b:
+        if len(a["points"]) != len(b["points"]) or not numpy.array_equal(a["cells"], b["cells"]):
+            return None
+        if not len(a["points"]):
+            return 0, 0
+        diagonal = numpy.linalg.norm(numpy.ptp(a["points"].astype(float), axis=0)) or 1
+        squares = numpy.sum((a["points"].astype(float) - b["points"]) ** 2, axis=1)
+        return 100 * numpy.sqrt(squares.max()) / diagonal, 100 * numpy.sqrt(squares.mean()) / diagonal
+
+
+def compare(one, other):
+    names = sorted(set(os.listdir(one)) | set(os.listdir(other)))
+    cases = collections.defaultdict(list)
+    for name in names:
+        model, case = name[:-len(".npz")].split(", ", 1)
+        paths = os.path.join(one, name), os.path.join(other, name)
+        cases[case].append((distances(*paths) if all(map(os.path.exists, paths)) else None, model))
+    print("| case | models | largest % | rms % | of the model | other triangles |")
+    print("|---|--:|--:|--:|---|---|")
+    for case, found in cases.items():
+        worst, model = max(((d, model) for d, model in found if d), default=((numpy.nan, numpy.nan), ""))
+        others = ", ".join(model for d, model in found if d is None)
+        print(f"| {case} | {len(found)} | {worst[0]:.2g} | {worst[1]:.2g} | {model} | {others} |")
 
 
 def main():
     parser = surfaces.parser(__doc__)
     surfaces.add_models(parser)
+    parser.add_argument("--save", metavar="FOLDER", help="also write the points and triangles of the results there")
+    parser.add_argument("--compare", nargs=2, metavar="FOLDER", help="compare two of these folders, run no filter")
     parser.add_argument("names", nargs="*", metavar="MODEL", help="all if none is named")
     arguments = parser.parse_args()
+    if arguments.compare:
+        compare(*arguments.compare)
+        return
+    if arguments.save:
+        os.makedirs(arguments.save, exist_ok=True)
     for name, path in surfaces.model_paths(arguments.models).items():
         if arguments.names and name not in arguments.names:
             continue
@@ -93,7 +143,10 @@ def main():
         for case, (kind, properties) in CASES.items():
             if surface.GetNumberOfPoints() > SLOW and case not in QUICK or not hasattr(sphericalstyle, kind):
                 continue
-            print(f"{name}, {case}: {hashes(surface, kind, properties)}", flush=True)
+            outputs, messages = results(surface, kind, properties)
+            print(f"{name}, {case}:", *map(of, outputs), *messages, flush=True)
+            if arguments.save and outputs[0].IsA("vtkPolyData"):
+                save(outputs[0], os.path.join(arguments.save, f"{name}, {case}.npz".replace("/", "_")))
 
 
 if __name__ == "__main__":
