@@ -144,6 +144,10 @@ public:
       }
       else if (size > 3)
       {
+        if (!this->Polygon)
+        {
+          this->Polygon = vtkSmartPointer<vtkPolygon>::New();
+        }
         this->Cut(cell, size, ids);
         for (vtkIdType i = 0; i + 2 < this->Cuts->GetNumberOfIds(); i += 3)
         {
@@ -224,7 +228,7 @@ private:
   }
 
   vtkPolyData* Input;
-  vtkNew<vtkPolygon> Polygon;
+  vtkSmartPointer<vtkPolygon> Polygon; // for the first cell that is no triangle
   vtkNew<vtkIdList> Cuts;
 };
 
