@@ -6,11 +6,13 @@
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
@@ -106,6 +108,37 @@ bool SplitOnce(TriangleMesh& mesh, double edgeLength)
   }
   return !added.empty();
 }
+
+/// Cuts sharp edges into equal parts about as long as the edge length. CGAL cuts in halves, so that
+/// a box would have a half or the double of the points asked for.
+template <typename EdgeMap>
+void CutSharpEdges(SurfaceMesh& mesh, EdgeMap sharp, double edgeLength)
+{
+  std::vector<SurfaceMesh::Edge_index> edges;
+  std::copy_if(mesh.edges().begin(), mesh.edges().end(), std::back_inserter(edges),
+    [&](SurfaceMesh::Edge_index edge) { return sharp[edge]; });
+  for (const SurfaceMesh::Edge_index edge : edges)
+  {
+    const SurfaceMesh::Halfedge_index rest = mesh.halfedge(edge);
+    const Point3 start = mesh.point(mesh.source(rest));
+    const auto line = mesh.point(mesh.target(rest)) - start;
+    const auto parts = std::lround(std::sqrt(line.squared_length()) / edgeLength);
+    for (long k = 1; k < parts; ++k)
+    {
+      const SurfaceMesh::Halfedge_index part = CGAL::Euler::split_edge(rest, mesh);
+      mesh.point(mesh.target(part)) = start + static_cast<double>(k) / parts * line;
+      sharp[mesh.edge(part)] = true;
+      for (const auto& [to, from] :
+        { std::pair(part, rest), std::pair(mesh.opposite(rest), mesh.opposite(part)) })
+      {
+        if (!mesh.is_border(to))
+        {
+          CGAL::Euler::split_face(to, mesh.next(from), mesh);
+        }
+      }
+    }
+  }
+}
 } // namespace
 
 double EdgeLengthFor(double area, int numberOfPoints)
@@ -119,6 +152,7 @@ TriangleMesh IsotropicRemeshing(const TriangleMesh& mesh, double edgeLength)
   SurfaceMesh surface = ToSurfaceMesh(mesh);
   auto sharp = surface.add_property_map<SurfaceMesh::Edge_index, bool>("e:sharp", false).first;
   PMP::detect_sharp_edges(surface, SharpEdgeDegrees, sharp);
+  CutSharpEdges(surface, sharp, edgeLength);
   PMP::isotropic_remeshing(surface.faces(), edgeLength, surface,
     PMP::parameters::number_of_iterations(5).number_of_relaxation_steps(2).edge_is_constrained_map(
       sharp));

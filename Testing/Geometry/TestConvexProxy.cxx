@@ -488,9 +488,7 @@ void TestMeshers()
         }
         else if (!model.thin)
         {
-          // Long sharp edges are cut in halves, too; a tetrahedron has little else.
-          CHECK(std::abs(got - 1.0) <= (model.name == "tetrahedron" ? 0.35 : 0.15),
-            name << " has " << got << " of the points asked for");
+          CHECK(std::abs(got - 1.0) <= 0.15, name << " has " << got << " of the points asked for");
         }
         std::cout << name << ": points " << got << ", angles above 25 degrees "
                   << ShareOfAnglesAbove(proxy.mesh, 25.0)
