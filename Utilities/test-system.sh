@@ -9,7 +9,8 @@
 #   plain      runs Utilities/test-plain-vtk.sh instead
 #   packages   runs Utilities/test-packages.sh instead, which makes a second system of the same release in the first
 # The copy has the files that git knows or does not ignore, as they are now, and sees the real models in ../shared if
-# that folder exists. Needs root, 10 GB of disk space and the Debian archive (DEBIAN_MIRROR=URL chooses another mirror, see debian-root.sh).
+# that folder exists. Needs root, 10 GB of disk space and the Debian archive (DEBIAN_MIRROR=URL chooses another
+# mirror, see debian-root.sh).
 # KEEP_SYSTEM=1 keeps the system and uses it again the next time.
 system=${1:-}
 [ $# -eq 0 ] || shift

@@ -58,13 +58,13 @@ public:
     {
       return special[this->Below(sizeof(special) / sizeof(special[0]))];
     }
-    std::uint8_t bits[sizeof(double)];
-    for (std::uint8_t& byte : bits)
+    std::uint64_t bits = 0;
+    for (int shift = 0; shift < 64; shift += 8)
     {
-      byte = static_cast<std::uint8_t>(this->Byte());
+      bits |= static_cast<std::uint64_t>(this->Byte()) << shift;
     }
     double number;
-    std::memcpy(&number, bits, sizeof(number));
+    std::memcpy(&number, &bits, sizeof(number));
     return number;
   }
 

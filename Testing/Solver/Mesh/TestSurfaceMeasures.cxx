@@ -310,7 +310,7 @@ void TestTurnedOver()
     TurnedOver(sheet.P, folded, sheet.F, SurfaceRotations(sheet, folded, 1));
   for (int f = 0; f < sheet.F.rows(); ++f)
   {
-    const bool far = (sheet.P(sheet.F.row(f), 0).array().abs() > 0.39).all();
+    const bool far = (sheet.P(sheet.F.row(f), AllColumns).col(0).array().abs() > 0.39).all();
     CHECK(!far || !over[f], "triangle " << f << " is far from the fold");
   }
 }
