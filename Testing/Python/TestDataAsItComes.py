@@ -11,7 +11,7 @@ import sys
 
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import VTK_STRING
-from vtkmodules.vtkCommonDataModel import (vtkImageData, vtkMultiBlockDataSet, vtkPartitionedDataSet,
+from vtkmodules.vtkCommonDataModel import (vtkDataAssembly, vtkImageData, vtkMultiBlockDataSet, vtkPartitionedDataSet,
                                            vtkPartitionedDataSetCollection, vtkPolyData)
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
@@ -133,9 +133,17 @@ def test_blocks(Filter):
 
 
 def test_partitions(Filter):
-    run = Run(Filter, partitions(("Front", stone), ("Back", ball, broken(ball))))
+    data = partitions(("Front", stone), ("Back", ball, broken(ball)))
+    tree = vtkDataAssembly()
+    tree.SetRootNodeName("Car")
+    tree.AddDataSetIndex(tree.AddNode("Doors", tree.AddNode("Body")), 1)
+    data.SetDataAssembly(tree)
+    run = Run(Filter, data)
     assert len(run.errors) == 1 and run.errors[0].startswith('block "Back/1": '), run.errors
     assert points(run.output.GetPartition(1, 0)) == points(Run(Filter, ball).output)
+    assert run.output.GetMetaData(1).Get(vtkMultiBlockDataSet.NAME()) == "Back"
+    kept = run.output.GetDataAssembly()
+    assert list(kept.GetDataSetIndices(kept.GetFirstNodeByPath("/Car/Body/Doors"))) == [1]
 
 
 class Series(VTKPythonAlgorithmBase):
