@@ -69,7 +69,7 @@ int TestSphericalStyleFilterImage(int argc, char* argv[])
   camera->Zoom(2.6);
   window->Render();
 
-  const int result = vtkRegressionTestImage(window);
+  const int result = vtkRegressionTestImageThreshold(window, SPHERICALSTYLE_IMAGE_LIMIT);
   if (result == vtkRegressionTester::DO_INTERACTOR)
   {
     interactor->Start();
