@@ -209,12 +209,13 @@ int vtkGaussMapFilter::Execute(
   {
     return 1;
   }
+  const auto taken = vtkSurfaceMeshConversion::WithoutEmptyArrays(input);
 
   Require(std::isfinite(this->OftenThreshold) && this->OftenThreshold >= 0.0, "OftenThreshold",
     "finite and 0 or more", this->OftenThreshold);
   vtkSurfaceMesh surface;
   const WeightedNormals found = GatherNormals(this->GetInputArrayInformation(0),
-    this->NormalSource == POINT_NORMALS, this->AreaWeighted, input, surface);
+    this->NormalSource == POINT_NORMALS, this->AreaWeighted, taken, surface);
 
   const auto equalAngle = SphericalStyle::SphereUnits::EqualAngle(Longitudes, Latitudes);
   const auto equalArea = SphericalStyle::SphereUnits::EqualArea(this->NumberOfEqualAreaUnits);

@@ -163,6 +163,18 @@ private:
   std::vector<vtkInformationVector*> Vectors;
 };
 
+/// Surfaces without what nobody can need of them.
+void LeaveOutEmptyArrays(vtkInformationVector** original, int ports, Inputs& inputs)
+{
+  for (int p = 0; p < ports; ++p)
+  {
+    if (auto* surface = vtkPolyData::SafeDownCast(vtkDataObject::GetData(original[p], 0)))
+    {
+      inputs.Set(p, vtkSurfaceMeshConversion::WithoutEmptyArrays(surface));
+    }
+  }
+}
+
 /// Puts the wholes, and the marks as a selection, in the place of the parts. @return the model
 vtkSmartPointer<vtkPolyData> Assemble(const std::vector<int>& contents, const Pieces& pieces,
   std::vector<vtkDistributedSurface>& surfaces, Inputs& inputs)
@@ -318,9 +330,13 @@ vtkWholeSurfaceAlgorithm::~vtkWholeSurfaceAlgorithm()
 }
 
 int vtkWholeSurfaceAlgorithm::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** original, vtkInformationVector* outputVector)
 {
-  const auto held = Held(inputVector, this->GetNumberOfInputPorts());
+  const int ports = this->GetNumberOfInputPorts();
+  const auto held = Held(original, ports);
+  Inputs taken(original, ports);
+  LeaveOutEmptyArrays(original, ports, taken);
+  vtkInformationVector** inputVector = taken.Get();
   if (!this->Internal->Gathers)
   {
     return this->RequestWholeData(request, inputVector, outputVector);
@@ -345,7 +361,7 @@ int vtkWholeSurfaceAlgorithm::RequestData(
   int outcome = FAILED;
   try
   {
-    Inputs inputs(inputVector, this->GetNumberOfInputPorts());
+    Inputs inputs(inputVector, ports);
     whole = Assemble(this->Internal->Contents, pieces, surfaces, inputs);
     if (this->RequestWholeData(request, inputs.Get(), outputVector))
     {

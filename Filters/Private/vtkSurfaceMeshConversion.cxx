@@ -377,6 +377,18 @@ void CheckAllNormals(vtkPolyData* input)
   CheckNormals(input->GetCellData(), input->GetNumberOfCells(), "cells");
 }
 
+/// @param number  of the points or cells that the arrays describe
+void RemoveEmptyArrays(vtkDataSetAttributes* attributes, vtkIdType number)
+{
+  for (int k = attributes->GetNumberOfArrays() - 1; number > 0 && k >= 0; --k)
+  {
+    if (attributes->GetAbstractArray(k)->GetNumberOfTuples() == 0)
+    {
+      attributes->RemoveArray(k);
+    }
+  }
+}
+
 void CheckSizes(vtkDataSetAttributes* attributes, vtkIdType number, const char* what)
 {
   for (int k = 0; k < attributes->GetNumberOfArrays(); ++k)
@@ -731,6 +743,15 @@ bool Update(
   surface.reset(); // nothing of the old one is kept should the next line throw
   surface = std::make_shared<const vtkSurfaceMesh>(FromPolyData(input, weld, take));
   return true;
+}
+
+vtkSmartPointer<vtkPolyData> WithoutEmptyArrays(vtkPolyData* input)
+{
+  auto without = vtkSmartPointer<vtkPolyData>::New();
+  without->ShallowCopy(input);
+  RemoveEmptyArrays(without->GetPointData(), input->GetNumberOfPoints());
+  RemoveEmptyArrays(without->GetCellData(), input->GetNumberOfCells());
+  return without;
 }
 
 void CheckPiece(vtkPolyData* piece)

@@ -7,6 +7,7 @@
 
 #include "TriangleMesh.h"
 #include "vtkDataSetAttributes.h" // for the attribute types
+#include "vtkSmartPointer.h"      // for vtkSmartPointer
 #include "vtkType.h"              // for vtkIdType
 
 #include <array>
@@ -71,6 +72,10 @@ vtkSurfaceMesh FromPolyData(
 /// @return whether it was made anew @throw see FromPolyData; `surface` is nullptr then
 bool Update(vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>& surface,
   TakePoints take = TakePoints::OfTriangles);
+
+/// The surface without arrays of points or cells that have no tuple, although there are points or
+/// cells: vtkOBJReader makes such normals where faces name some that are not in the file.
+vtkSmartPointer<vtkPolyData> WithoutEmptyArrays(vtkPolyData* input);
 
 /// What FromPolyData refuses, and arrays of another number of tuples than points or cells.
 /// @param piece  of a surface that is going to be put together

@@ -379,6 +379,7 @@ std::vector<Kind> Broken()
       Refuses("offsets"), Refuses("offsets") },
     { "too few normals", With(normals(3)), Refuses("\"few\" has 3 tuples"),
       Refuses("\"few\" has 3 tuples") },
+    { "normals without a tuple", With(normals(0)), {}, {} },
     { "arrays with NaN that nothing uses",
       With([n](vtkPolyData* s) { s->GetPointData()->AddArray(BadArray("bad", n, 2)); }), {}, {} },
     { "arrays named as the filters name theirs",
