@@ -193,8 +193,9 @@ public:
 
   ///@{
   /**
-   * Weight lambda of the spherical term. 0 leaves the model as it is, larger is rounder, 5 is very
-   * large. No unit. Range 0 and up; a negative or non-finite value is an error. Default 1.
+   * How round the model becomes: 0 leaves it as it is, 0.3 softens it, 1 is clearly round, 5 is
+   * nearly a ball. The weight lambda of the spherical term, no unit. Range 0 and up; a negative or
+   * non-finite value is an error. Default 1.
    */
   vtkSetMacro(Roundness, double);
   vtkGetMacro(Roundness, double);
@@ -202,8 +203,9 @@ public:
 
   ///@{
   /**
-   * Blend a between the direction from the center (0, one ball) and the normal of the base (1,
-   * every limb round by itself, see NormalRadius). No unit. Range 0..1. Default 0.6.
+   * What becomes round: from 0, the whole model toward one ball, to 1, every limb by itself (see
+   * NormalRadius). The blend a between the direction from the center and the normal of the base, no
+   * unit. Range 0..1. Default 0.6.
    */
   vtkSetClampMacro(NormalBlend, double, 0.0, 1.0);
   vtkGetMacro(NormalBlend, double);
@@ -358,7 +360,7 @@ public:
   ///@{
   /**
    * Use less Roundness where triangles would turn over or newly run through each other, and
-   * solve again until none does [guard]; the result is checked as it is written, in the number type
+   * solve again until none does [guard]. The result is checked as it is written, in the number type
    * of the output. What the input has already stays. With NormalBlend 0 on models without thin
    * parts it rarely changes anything: then the result has the same bits as without. Off with
    * ReproduceThesis. Cost: a search for self-intersections, and where it finds
@@ -427,15 +429,26 @@ public:
 
   ///@{
   /**
-   * Switches of the output arrays. TargetDirection and Displacement are on by default, Rotation is
-   * off.
+   * Add the point array TargetDirection. Default on.
    */
   vtkSetMacro(GenerateTargetDirection, bool);
   vtkGetMacro(GenerateTargetDirection, bool);
   vtkBooleanMacro(GenerateTargetDirection, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Add the point array Displacement. Default on.
+   */
   vtkSetMacro(GenerateDisplacement, bool);
   vtkGetMacro(GenerateDisplacement, bool);
   vtkBooleanMacro(GenerateDisplacement, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Add the point array Rotation. Default off.
+   */
   vtkSetMacro(GenerateRotation, bool);
   vtkGetMacro(GenerateRotation, bool);
   vtkBooleanMacro(GenerateRotation, bool);
