@@ -9,12 +9,10 @@ import pathlib
 import sys
 import time
 
-from vtkmodules.vtkIOPLY import vtkPLYWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Examples" / "Python"))
-from model_files import ModelError, place_in, read, rounded, triangle_count, write  # noqa: E402
-from model_pictures import picture  # noqa: E402
+from sphericalstyle import Error
+from sphericalstyle.model_files import place_in, read, triangle_count, write_surface
+from sphericalstyle.model_pictures import before_after, picture
+from sphericalstyle.rounding import execute
 
 SERIES_ROUNDNESS = [0.0, 0.3, 1.0, 2.0, 5.0]  # columns
 SERIES_NORMAL_BLEND = {0.0: "one ball", 0.6: "body and limbs", 1.0: "every limb"}  # rows
@@ -26,13 +24,14 @@ def demo(arguments):
     folder.mkdir(parents=True, exist_ok=True)
 
     start = time.perf_counter()
-    style = rounded(surface)  # default settings
+    style, messages = execute(surface)  # default settings
     seconds = time.perf_counter() - start
     result = style.GetOutput()
     print(f"{arguments.mesh.name}: {surface.GetNumberOfPoints()} points, "
           f"{triangle_count(surface)} triangles, rounded in {seconds:.2f} s")
+    messages.print_warnings()
 
-    series = [[(rounded(surface, Roundness=roundness, NormalBlend=blend).GetOutput(),
+    series = [[(execute(surface, roundness=roundness, normal_blend=blend)[0].GetOutput(),
                 f"Roundness {roundness:g}, {becomes} ({blend:g})") for roundness in SERIES_ROUNDNESS]
               for blend, becomes in SERIES_NORMAL_BLEND.items()]
 
@@ -40,12 +39,9 @@ def demo(arguments):
         kind: place_in(folder, f"{arguments.mesh.stem}-{kind}")
         for kind in ("rounded.vtp", "rounded.ply", "before-after.png", "series.png")
     }
-    write(vtkXMLPolyDataWriter(), files["rounded.vtp"], result)
-    write(vtkPLYWriter(), files["rounded.ply"], result)
-    before_after = [[(surface, "before"),
-                     (result, f"after: Roundness {style.GetRoundness():g}, NormalBlend {style.GetNormalBlend():g}, "
-                              f"DetailSize {style.GetDetailSize():g}")]]
-    picture(files["before-after.png"], (1600, 900), before_after, arguments.up, arguments.view, 26)
+    write_surface(files["rounded.vtp"], result)
+    write_surface(files["rounded.ply"], result)
+    before_after(files["before-after.png"], surface, style, arguments.up, arguments.view)
     picture(files["series.png"], (2000, 1350), series, arguments.up, arguments.view, 18)
     for file in files.values():
         print(f"  {file}")
@@ -60,7 +56,7 @@ def main():
                         help="angle of the camera around the up axis, in degrees from the front")
     try:
         demo(parser.parse_args())
-    except (ModelError, OSError) as error:
+    except (Error, OSError) as error:
         print(error, file=sys.stderr)
         return 1
     return 0

@@ -21,8 +21,11 @@ from vtkmodules.vtkIOFFMPEG import vtkFFMPEGWriter
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
 
-from model_files import Messages, ModelError, read, rounded, whole, write
-from model_pictures import image_of
+from sphericalstyle import Error
+from sphericalstyle.messages import Messages
+from sphericalstyle.model_files import read, whole, write
+from sphericalstyle.model_pictures import image_of
+from sphericalstyle.rounding import execute
 
 SIZE = (640, 640)  # pixels
 MOVIES = {".ogv": vtkOggTheoraWriter, ".avi": vtkFFMPEGWriter}
@@ -113,14 +116,14 @@ def main():
     axis = "xyz".index(arguments.axis)
     path = arguments.output
     output = Movie(path, arguments.rate) if path.suffix else Pictures(path)
-    style = rounded(surface, Roundness=arguments.roundness, NormalBlend=arguments.normal_blend,
-                    DetailSize=arguments.detail_size)
-    messages = Messages(style)
+    style, messages = execute(surface, roundness=arguments.roundness, normal_blend=arguments.normal_blend,
+                              detail_size=arguments.detail_size)
     style.SetCenterModeToCustom()
     for center in centers(surface.GetBounds(), axis, arguments.travel, arguments.frames):
         style.SetCenter(center)
         style.Update()  # quick: the filter keeps everything that does not depend on the center
         messages.raise_errors("The filter failed:")
+        messages.print_warnings()
         label = f"Center {arguments.axis} = {center[axis]:.3g}"
         output.add(image_of(SIZE, [[(style.GetOutput(), label)]], arguments.up, arguments.view, 18,
                             frame=surface))
@@ -131,5 +134,5 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except (ModelError, OSError) as error:
+    except (Error, OSError, ValueError) as error:
         sys.exit(str(error))

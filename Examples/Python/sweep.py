@@ -11,8 +11,10 @@ import argparse
 import pathlib
 import sys
 
-from model_files import ModelError, largest_move, read, rounded
-from model_pictures import picture
+from sphericalstyle import Error
+from sphericalstyle.model_files import largest_move, read
+from sphericalstyle.model_pictures import picture
+from sphericalstyle.rounding import execute
 
 PANEL = (320, 300)  # pixels
 
@@ -40,8 +42,9 @@ def main():
     for blend in arguments.normal_blend:
         sheet.append([])
         for roundness in arguments.roundness:
-            style = rounded(surface, Roundness=roundness, NormalBlend=blend,
-                            DetailSize=arguments.detail_size)
+            style, messages = execute(surface, roundness=roundness, normal_blend=blend,
+                                      detail_size=arguments.detail_size)
+            messages.print_warnings()
             print(f"Roundness {roundness:g}, NormalBlend {blend:g}: points moved by up to "
                   f"{largest_move(style.GetOutput()):.4g}")
             sheet[-1].append((style.GetOutput(), f"Roundness {roundness:g}, NormalBlend {blend:g}"))
@@ -53,5 +56,5 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except (ModelError, OSError) as error:
+    except (Error, OSError, ValueError) as error:
         sys.exit(str(error))

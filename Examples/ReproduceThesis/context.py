@@ -4,9 +4,10 @@
 import functools
 import pathlib
 
-import model_files
 import models
 import sphericalstyle
+from sphericalstyle import model_files
+from sphericalstyle.messages import Messages
 from surfaces import columns
 
 # Settings that the experiments need, regardless of the filters' defaults: weights and center of the thesis, the pull
@@ -69,7 +70,7 @@ class Context:
         properties by their VTK names. Raises model_files.ModelError with the filter's message.
         """
         algorithm = getattr(sphericalstyle, name)()
-        messages = model_files.Messages(algorithm)
+        messages = Messages(algorithm)
         algorithm.SetInputData(0, surface)
         for port, data in (others or {}).items():
             algorithm.SetInputData(port, data)
@@ -78,7 +79,8 @@ class Context:
         for key, value in {**SETTINGS.get(name, {}), **properties}.items():
             getattr(algorithm, f"Set{key}")(value)
         algorithm.Update()
-        messages.raise_errors(f"{name} failed:")
+        messages.raise_errors(f"{name} failed:", model_files.ModelError)
+        messages.print_warnings()
         return algorithm
 
     def style(self, surface, others=None, arrays=None, **properties):

@@ -13,7 +13,7 @@ from vtkmodules.vtkImagingCore import vtkImageMapToColors, vtkImageResize
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkTexture
 
-import model_pictures
+from sphericalstyle import model_pictures
 
 PANEL = (300, 280)  # pixels
 FONT = matplotlib.font_manager.findfont("DejaVu Sans")  # has λ, unlike VTK's own fonts

@@ -24,9 +24,9 @@ import re
 import time
 import traceback
 
-import model_files
 import pictures
 import plots
+from sphericalstyle import model_files
 
 HOLDS, IN_PART, FAILS = "holds", "holds in part", "does not hold"
 NOT_REPRODUCED = "not reproduced"  # out of scope, or without the filter or model it needs

@@ -52,8 +52,8 @@ def need_screen():
 
 
 def need_package():
-    """Find the package and the modules of this folder and of Examples/Python/."""
-    sys.path[:0] = [str(HERE), str(ROOT / "Examples" / "Python")]
+    """Find the package and the modules of this folder."""
+    sys.path.insert(0, str(HERE))
     try:
         importlib.import_module("sphericalstyle")
     except ImportError:

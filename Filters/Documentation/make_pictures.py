@@ -33,13 +33,11 @@ BLUE, YELLOW, RED = (0.16, 0.27, 0.62), (0.98, 0.84, 0.20), (0.80, 0.12, 0.10)
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-sys.path[:0] = [str(ROOT / "Examples" / "Python"), str(ROOT / "Testing" / "Python")]
+sys.path.insert(0, str(ROOT / "Testing" / "Python"))
 
 import FilterTable  # noqa: E402
-import model_files  # noqa: E402
-import model_pictures  # noqa: E402
 import sphericalstyle  # noqa: E402
-from sphericalstyle import presets  # noqa: E402
+from sphericalstyle import model_files, model_pictures, presets  # noqa: E402
 from sphericalstyle import (  # noqa: E402
     vtkConvexProxyDeformFilter, vtkGaussMapFilter, vtkNonlinearStyleFilter,
     vtkNormalAnalogyFilter, vtkSphereProjectionFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics, vtkThesisStyleFilter)

@@ -85,14 +85,14 @@ for arguments, words in (([output / "nowhere", rounded], "no such folder"),
     done = run("round_folder.py", *arguments)
     assert done.returncode != 0 and words in done.stdout, (arguments, done.stdout)
 for arguments, words in (([models, models / "cube.vtp"], "File exists"),
-                         ([models, output / "much", "--normal-blend", 3], "NormalBlend cannot be 3")):
+                         ([models, output / "much", "--normal-blend", 3], "normal_blend must be 0 to 1; it is 3")):
     text = run_badly("round_folder.py", *arguments)
     assert words in text, (arguments, text)
 
 # A full disk: what did not fit is gone, and the table says why there is none of a model.
 if may_limit_files:
     text = run_badly("round_folder.py", models, output / "full", largest_file=150000)
-    assert text.count("creature.vtp.vtp.part: cannot be written") == 2, text
+    assert text.count("creature.vtp.vtp: cannot be written") == 2, text
     assert files_in(output / "full") == ["cube.stl.vtp", "cube.vtp.vtp", "icosahedron.vtp.vtp", "summary.csv"]
     assert "too large" in run_badly("round_folder.py", models, output / "fuller", largest_file=100)
     assert not files_in(output / "fuller"), files_in(output / "fuller")

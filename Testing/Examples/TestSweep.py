@@ -49,4 +49,4 @@ model = output / "model.vtp"
 shutil.copy(data / "cube.vtp", model)
 assert ".png" in run_badly("sweep.py", model, "--output", model)
 assert model.read_bytes() == (data / "cube.vtp").read_bytes()
-assert "NormalBlend cannot be 3" in run_badly("sweep.py", model, "--normal-blend", 3, "--output", output / "much.png")
+assert "normal_blend must be 0 to 1; it is 3" in run_badly("sweep.py", model, "--normal-blend", 3, "--output", output / "much.png")

@@ -1,16 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Sheets of small pictures, flat shaded as ParaView shows a surface without normals; back faces are blue."""
-import sys
-
 from PIL import Image
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
 
 import measures
-import surfaces
-
-sys.path.insert(0, str(surfaces.ROOT / "Examples" / "Python"))
-import model_pictures  # noqa: E402
+from sphericalstyle import model_pictures
 
 ROWS = 4  # models a sheet
 BACK = (0.15, 0.35, 0.85)  # what faces inward and is seen all the same: a hole, or a triangle turned over

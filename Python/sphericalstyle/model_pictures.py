@@ -1,18 +1,21 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of models, shaded like clay, side by side, in Python with or without ParaView."""
+import ctypes
 import math
+import os
 
 import vtkmodules.vtkInteractionStyle  # noqa: F401, makes render windows work
 import vtkmodules.vtkRenderingFreeType  # noqa: F401, makes text work
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, makes rendering work
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkPolyDataNormals, vtkTriangleFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkLightKit, vtkPolyDataMapper, vtkRenderer,
                                          vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
 
-from model_files import write
+from .model_files import ModelError, write
 
 CLAY = (0.88, 0.62, 0.47)
 INK = (0.25, 0.22, 0.20)
@@ -63,11 +66,15 @@ def half_size(surface):
     return max(0.45 * surface.GetLength(), 0.57 * max(x1 - x0, y1 - y0, z1 - z0))
 
 
-def place_camera(renderer, surface, size, up, view):
-    """Looks from the front, turned by view degrees and slightly from above. size: half of what is visible."""
-    up, front = axes_of(up)
+def place_camera(renderer, surface, size, up, view, height=None):
+    """Looks from the front, turned by view degrees and slightly from above. size: half of what is visible. height: of
+    the tallest of several surfaces, if all are to stand on one ground."""
     bounds = surface.GetBounds()
     center = [0.5 * (bounds[2 * i] + bounds[2 * i + 1]) for i in range(3)]
+    if height is not None:
+        axis = "xyz".index(up)
+        center[axis] = bounds[2 * axis] + 0.5 * height
+    up, front = axes_of(up)
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(center)
     camera.SetViewUp(up)
@@ -127,13 +134,42 @@ def picture(path, size, panels, up, view, points, **options):
     write(vtkPNGWriter(), path, image_of(size, panels, up, view, points, **options))
 
 
-def image_of(size, panels, up, view, points, make_actor=actor_of, font=None, frame=None):
+def before_after(path, model, style, up, view):
+    """Writes a PNG with the model beside the result of an executed filter, on one ground and in one scale."""
+    label = "after: " + ", ".join(f"{name} {getattr(style, 'Get' + name)():g}"
+                                  for name in ("Roundness", "NormalBlend", "DetailSize"))
+    picture(path, (1600, 900), [[(model, "before"), (style.GetOutput(), label)]], up, view, 26, ground=True)
+
+
+def check_display():
+    """@raise ModelError where VTK would end the program, since it has no display to make pictures with"""
+    if vtkVersion.GetVTKMajorVersion() * 100 + vtkVersion.GetVTKMinorVersion() >= 904:
+        return  # makes pictures without a display
+    if vtkRenderWindow().GetClassName() != "vtkXOpenGLRenderWindow":
+        return
+    try:
+        x11 = ctypes.CDLL("libX11.so.6")
+    except OSError:
+        return
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    display = x11.XOpenDisplay(None)
+    if not display:
+        place = os.environ.get("DISPLAY")
+        raise ModelError(f"pictures need a display, and {f'{place} cannot be opened' if place else 'there is none'};"
+                         " put xvfb-run -a before the command, or do without pictures")
+    x11.XCloseDisplay(ctypes.c_void_p(display))
+
+
+def image_of(size, panels, up, view, points, make_actor=actor_of, font=None, frame=None, ground=False):
     """A picture of rows of panels (surface, label[, lines[, view]]). All have the same scale, and the same
     view unless a panel has its own. make_actor(surface): replaces the clay shading. font: a TrueType
     file for labels with letters that VTK's own fonts lack. frame: a surface to set the camera for,
-    instead of each panel's surface, in a series of pictures."""
+    instead of each panel's surface, in a series of pictures. ground: all surfaces stand on one level."""
+    check_display()
     surfaces = [frame] if frame else [panel[0] for row in panels for panel in row]
     seen = max(half_size(surface) for surface in surfaces)
+    heights = [surface.GetBounds()["xyz".index(up) * 2 + 1] - surface.GetBounds()["xyz".index(up) * 2]
+               for surface in surfaces]
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetSize(size)
@@ -150,7 +186,8 @@ def image_of(size, panels, up, view, points, make_actor=actor_of, font=None, fra
                 renderer.AddActor(lines_of(more[0]))
             soft_light(renderer)
             window.AddRenderer(renderer)
-            place_camera(renderer, frame or surface, seen, up, more[1] if len(more) > 1 else view)
+            place_camera(renderer, frame or surface, seen, up, more[1] if len(more) > 1 else view,
+                         max(heights) if ground else None)
             add_text(renderer, label, 0.5, 0.045, points, font)
     window.Render()
     image = vtkWindowToImageFilter()

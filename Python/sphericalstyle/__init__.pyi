@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# The classes of the filters are in SphericalStyleFilters.pyi, which the build writes.
+from typing import Any, Literal, Optional, Sequence, TypeVar, Union
+
+from . import presets as presets
+from .SphericalStyleFilters import *
+
+__version__: str
+
+class Error(RuntimeError): ...
+class StyleWarning(UserWarning): ...
+
+_Mesh = TypeVar("_Mesh")
+_Array = Any  # of numpy, a list, or the name of a point array of the mesh
+
+def round(
+    mesh: _Mesh,
+    /,
+    *,
+    preset: Optional[Literal["Soft", "Toy", "Chibi", "Puffy", "Chubby", "Ball", "Pebble"]] = ...,
+    roundness: float = ...,
+    normal_blend: Union[float, _Array] = ...,
+    detail_size: float = ...,
+    avoid_self_intersections: bool = ...,
+    border_width: float = ...,
+    center: Sequence[float] = ...,
+    center_blend_width: float = ...,
+    center_mode: Literal["PointMean", "AreaCentroid", "Custom"] = ...,
+    edge_weighting: Literal["HalfEdge", "FullEdge", "IntrinsicDelaunay"] = ...,
+    generate_displacement: bool = ...,
+    generate_normals: bool = ...,
+    generate_rotation: bool = ...,
+    generate_target_direction: bool = ...,
+    keep_on_ground: bool = ...,
+    keep_size: Literal["Off", "Area", "Volume", "Extent"] = ...,
+    maximum_edge_length: float = ...,
+    maximum_number_of_iterations: int = ...,
+    normal_radius: Literal["OwnThickness", "WholeModel"] = ...,
+    number_of_threads: int = ...,
+    output_points_precision: Literal["Single", "Double", "Default"] = ...,
+    radius: float = ...,
+    radius_mode: Literal["EqualArea", "EqualVolume", "Custom"] = ...,
+    refine_long_edges: Literal["Off", "Automatic", "On"] = ...,
+    reproduce_thesis: bool = ...,
+    sphere_of: Literal["WholeModel", "Region"] = ...,
+    spherical_weighting: Literal["Uniform", "Cotangent"] = ...,
+    stop_rule: Literal["Converged", "Thesis", "FixedIterations"] = ...,
+    tolerance: float = ...,
+    up_axis: Literal["X", "Y", "Z"] = ...,
+    normals: Optional[_Array] = ...,
+    roundness_factor: Optional[_Array] = ...,
+    target_directions: Optional[_Array] = ...,
+    region: Optional[_Array] = ...,
+    center_id: Optional[_Array] = ...,
+    centers: Optional[_Array] = ...,
+) -> _Mesh: ...

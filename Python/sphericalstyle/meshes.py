@@ -1,0 +1,135 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes of others as vtkPolyData, and the result back. numpy is imported only where there are arrays."""
+import copy
+import sys
+
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
+
+
+def take(mesh):
+    """@return the mesh for VTK, and a function that makes a mesh of its kind of a result"""
+    if isinstance(mesh, vtkDataObject):
+        pyvista = sys.modules.get("pyvista")
+        wraps = pyvista is not None and isinstance(mesh, pyvista.DataObject)
+        return mesh, pyvista.wrap if wraps else lambda result: result
+    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
+        surface = surface_of(mesh.vertices, mesh.faces)
+        return surface, lambda result: _object(mesh, surface, result)
+    if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
+        points, faces = mesh
+        surface = surface_of(points, faces)
+        return surface, lambda result: (_points(result), _faces(faces, surface, result))
+    raise TypeError(f"round() takes a vtkPolyData, a PyVista mesh, an object with vertices and faces, or a tuple"
+                    f" (points, faces), and not a {type(mesh).__name__}")
+
+
+def surface_of(points, faces):
+    """A vtkPolyData of arrays."""
+    surface = vtkPolyData()
+    vtk_points = vtkPoints()
+    vtk_points.SetData(point_array(points, "points"))
+    surface.SetPoints(vtk_points)
+    surface.SetPolys(_cells(faces))
+    return surface
+
+
+def array_of(values, what):
+    """A vtkDataArray of numbers, or of rows of numbers."""
+    import numpy as np
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+
+    array = np.ascontiguousarray(values)
+    if array.dtype.kind == "b":
+        array = array.astype(np.uint8)
+    if array.dtype.kind not in "iuf" or array.ndim not in (1, 2):
+        raise ValueError(f"{what} must be an array with a number, or a row of numbers, for each point")
+    return numpy_to_vtk(array, deep=True)
+
+
+def point_array(points, what):
+    """n x 3 coordinates; those of single precision stay so."""
+    import numpy as np
+
+    array = np.asarray(points)
+    if array.ndim != 2 or array.shape[1] != 3 or array.dtype.kind not in "iuf":
+        raise ValueError(f"{what} must be an array of n x 3 numbers; it is {_shape(array)}")
+    return array_of(array if array.dtype in (np.float32, np.float64) else array.astype(np.float64), what)
+
+
+def _shape(array):
+    return f"{' x '.join(map(str, array.shape)) or 'one value'} of {array.dtype}"
+
+
+def _cells(faces):
+    import numpy as np
+    from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
+
+    words = "faces must be an array of m x 3 or m x 4 point numbers, or a list of lists of point numbers"
+    if isinstance(faces, np.ndarray):
+        if faces.ndim != 2:
+            raise ValueError(f"{words}; it is {_shape(faces)}")
+        sizes, numbers = np.full(len(faces), faces.shape[1]), faces.ravel()
+    else:
+        rows = [np.asarray(face) for face in faces]
+        if any(row.ndim != 1 for row in rows):
+            raise ValueError(words)
+        sizes, numbers = np.array([len(row) for row in rows]), np.concatenate([np.empty(0, int), *rows])
+    if numbers.size and numbers.dtype.kind not in "iu":
+        raise ValueError(f"{words}; it has numbers of {numbers.dtype}")
+    offsets = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
+    cells = vtkCellArray()
+    cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
+                  numpy_to_vtkIdTypeArray(np.ascontiguousarray(numbers, np.int64), deep=True))
+    return cells
+
+
+def _points(surface):
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    return vtk_to_numpy(surface.GetPoints().GetData()).copy()
+
+
+def _structure(surface):
+    """The point numbers of all faces, and where each face begins."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    polys = surface.GetPolys()
+    return [vtk_to_numpy(array) for array in (polys.GetConnectivityArray(), polys.GetOffsetsArray())]
+
+
+def _is_same(surface, result):
+    import numpy as np
+
+    return all(map(np.array_equal, _structure(surface), _structure(result)))
+
+
+def _faces(faces, surface, result):
+    """The faces of the result, as those that were given."""
+    import numpy as np
+
+    if _is_same(surface, result):
+        return faces.copy() if isinstance(faces, np.ndarray) else [list(face) for face in faces]
+    numbers, offsets = _structure(result)
+    sizes = np.diff(offsets)
+    if isinstance(faces, np.ndarray) and (sizes == sizes[0]).all():
+        return numbers.reshape(-1, sizes[0]).astype(faces.dtype)
+    return [face.tolist() for face in np.split(numbers, offsets[1:-1])]
+
+
+def _object(mesh, surface, result):
+    """A copy of the mesh with other vertices or, where faces were split, a new one of its class."""
+    points = _points(result)
+    if _is_same(surface, result):
+        rounded = mesh.copy() if hasattr(mesh, "copy") else copy.deepcopy(mesh)
+        rounded.vertices = points
+        return rounded
+    faces = _faces(mesh.faces, surface, result)
+    for options in ({"process": False}, {}):  # a trimesh would merge vertices
+        try:
+            return type(mesh)(vertices=points, faces=faces, **options)
+        except TypeError:
+            continue
+    raise TypeError(f"the faces were split, and a {type(mesh).__name__} cannot be made of vertices and faces;"
+                    ' refine_long_edges="Off" keeps the faces')

@@ -1,0 +1,209 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Read and write models, in Python with or without ParaView. Every failure is a ModelError with the message of the
+reader or writer."""
+import contextlib
+import os
+
+import vtkmodules.vtkIOGeometry as geometry
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
+from vtkmodules.vtkIOGeometry import (vtkBYUReader, vtkBYUWriter, vtkGLTFReader, vtkGLTFWriter, vtkIVWriter,
+                                      vtkOBJReader, vtkOBJWriter, vtkSTLReader, vtkSTLWriter)
+from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader, vtkPolyDataWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+
+from .messages import Error, Messages, printable
+
+READERS = {
+    ".ply": vtkPLYReader,
+    ".stl": vtkSTLReader,
+    ".obj": vtkOBJReader,
+    ".vtk": vtkGenericDataObjectReader,
+    ".vtp": vtkXMLPolyDataReader,
+    ".glb": vtkGLTFReader,
+    ".gltf": vtkGLTFReader,
+    ".byu": vtkBYUReader,
+}
+if hasattr(geometry, "vtkOFFReader"):  # newer than VTK 9.2
+    READERS[".off"] = geometry.vtkOFFReader
+
+WRITERS = {
+    ".ply": vtkPLYWriter,
+    ".stl": vtkSTLWriter,
+    ".obj": vtkOBJWriter,
+    ".vtk": vtkPolyDataWriter,
+    ".vtp": vtkXMLPolyDataWriter,
+    ".glb": vtkGLTFWriter,
+    ".gltf": vtkGLTFWriter,
+    ".byu": vtkBYUWriter,
+    ".iv": vtkIVWriter,
+}
+
+
+class ModelError(Error):
+    """A file that cannot be read or written."""
+
+
+def place_in(folder, name):
+    """The path of a file with this name in the folder. Makes the subfolders in the name. A link in the path must not
+    lead out of the folder."""
+    place = folder / name
+    if not place.resolve().is_relative_to(folder.resolve()):
+        raise ModelError(f"{printable(place)} leads out of {printable(folder)}")
+    place.parent.mkdir(parents=True, exist_ok=True)
+    return place
+
+
+@contextlib.contextmanager
+def whole(place):
+    """A temporary path to write to. The file gets its final name when it is complete, and is removed after a failure.
+    Links are replaced, not followed."""
+    # Some writers look at the ending, and that of PLY adds it.
+    keep = is_gltf(place) or place.suffix.lower() == ".ply"
+    part = place.with_name(place.stem + ".part" + place.suffix if keep else place.name + ".part")
+    part.unlink(missing_ok=True)
+    try:
+        yield part
+        part.replace(place)
+    except BaseException:
+        part.unlink(missing_ok=True)
+        raise
+
+
+def read(path):
+    """The surface in the file. Raises a ModelError that says why if there is none."""
+    name, suffix = printable(path), path.suffix.lower()
+    if suffix not in READERS:
+        suffix = printable(suffix)
+        raise ModelError(f"{name}: cannot read files {suffix or 'without an ending'};"
+                        f" known: {' '.join(sorted(READERS))}")
+    if not path.is_file():
+        raise ModelError(f"{name}: no such file")
+    if path.stat().st_size == 0:
+        raise ModelError(f"{name}: the file is empty")
+    reader = READERS[suffix]()
+    messages = Messages(reader)
+    _set_file_name(reader, path)
+    reader.Update()
+    messages.raise_errors(f"{name}: cannot be read as {suffix}", ModelError)
+    messages.print_warnings()
+    surface = reader.GetOutputDataObject(0)
+    if isinstance(surface, vtkCompositeDataSet) and is_gltf(path):
+        surface = _joined(surface)
+    if surface is None:
+        raise ModelError(f"{name}: cannot be read as {suffix}")
+    if not isinstance(surface, vtkPolyData):
+        raise ModelError(f"{name}: holds a {surface.GetClassName()}, not a surface (vtkPolyData);"
+                        " take its surface first, in ParaView with Extract Surface")
+    _remove_misfits(surface.GetPointData(), surface.GetNumberOfPoints())
+    if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
+        raise ModelError(f"{name}: holds {surface.GetNumberOfPoints()} points and no faces")
+    return surface
+
+
+def _remove_misfits(data, count):
+    """VTK's reader makes normals of an OBJ that no face names, in any number. What does not fit belongs to no point."""
+    for k in reversed(range(data.GetNumberOfArrays())):
+        if data.GetAbstractArray(k).GetNumberOfTuples() != count:
+            data.RemoveArray(k)
+
+
+def largest_move(surface):
+    """The largest distance by which a point of the filter's output moved."""
+    return surface.GetPointData().GetArray("Displacement").GetRange(-1)[1]
+
+
+def write(writer, path, data):
+    """Writes the data with a VTK writer."""
+    messages = Messages(writer)
+    _set_file_name(writer, path)
+    writer.SetInputDataObject(data)
+    written = writer.Write()
+    messages.raise_errors(f"{printable(path)}: cannot be written", ModelError)
+    if written == 0:  # writers of images return nothing
+        raise ModelError(f"{printable(path)}: cannot be written")
+
+
+def write_surface(place, surface):
+    """Writes a surface in the format of the name's ending, whole or not at all."""
+    suffix = place.suffix.lower()
+    writer = WRITERS[suffix]()
+    getattr(writer, "SetFileTypeToBinary", lambda: None)()  # text has fewer digits
+    data = surface
+    if suffix == ".ply":
+        data = _triangulated(surface) if surface.GetNumberOfStrips() else surface
+        _choose_colors(writer, surface)
+    elif is_gltf(place):
+        data = _gltf_blocks(_triangulated(surface))
+        for switch in ("InlineDataOn", "SaveActivePointColorOn"):
+            getattr(writer, switch, lambda: None)()
+    with whole(place) as part:
+        try:
+            write(writer, part, data)
+        except ModelError as error:
+            raise ModelError(str(error).replace(printable(part), printable(place), 1)) from None
+        if not part.is_file() or suffix == ".glb" and not _starts_with(part, b"glTF"):
+            raise ModelError(f"{printable(place)}: this version of VTK cannot write {suffix}")
+
+
+def is_gltf(path):
+    return path.suffix.lower() in (".glb", ".gltf")
+
+
+def _set_file_name(reader_or_writer, path):
+    byu = hasattr(reader_or_writer, "SetGeometryFileName")
+    (reader_or_writer.SetGeometryFileName if byu else reader_or_writer.SetFileName)(os.fsencode(path))
+
+
+def _starts_with(path, magic):
+    with open(path, "rb") as file:
+        return file.read(len(magic)) == magic
+
+
+def _joined(blocks):
+    """All surfaces of composite data as one."""
+    append = vtkAppendPolyData()
+    iterator = blocks.NewIterator()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        if isinstance(iterator.GetCurrentDataObject(), vtkPolyData):
+            append.AddInputData(iterator.GetCurrentDataObject())
+        iterator.GoToNextItem()
+    append.Update()
+    return append.GetOutput()
+
+
+def _gltf_blocks(surface):
+    """What the writer takes: a building with a surface."""
+    building, buildings = vtkMultiBlockDataSet(), vtkMultiBlockDataSet()
+    building.SetBlock(0, surface)
+    buildings.SetBlock(0, building)
+    return buildings
+
+
+def _choose_colors(writer, surface):
+    """The writer of PLY wants to know which array has colors: bytes, three or four to a point or a cell."""
+    for data in (surface.GetPointData(), surface.GetCellData()):
+        arrays = [data.GetScalars(), *(data.GetArray(k) for k in range(data.GetNumberOfArrays()))]
+        for array in arrays:
+            if array and array.GetName() and array.GetClassName() == "vtkUnsignedCharArray" \
+                    and array.GetNumberOfComponents() in (3, 4):
+                writer.SetArrayName(array.GetName())
+                writer.SetEnableAlpha(array.GetNumberOfComponents() == 4)
+                return
+
+
+def _triangulated(surface):
+    triangles = vtkTriangleFilter()
+    triangles.PassLinesOff()
+    triangles.PassVertsOff()
+    triangles.SetInputData(surface)
+    triangles.Update()
+    return triangles.GetOutput()
+
+
+def triangle_count(surface):
+    """Of all faces."""
+    return _triangulated(surface).GetNumberOfPolys()

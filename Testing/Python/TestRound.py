@@ -1,0 +1,326 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""sphericalstyle.round: the result is the filter's to the bit, for every kind of mesh; what cannot be is said.
+
+usage: TestRound.py DATA_FOLDER PAGE...
+PAGE: of the documentation; its examples in Python are run.
+"""
+import ast
+import doctest
+import inspect
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import types
+import warnings
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+import FilterTable
+import sphericalstyle as ss
+from sphericalstyle import meshes, presets, properties, rounding
+
+data = os.path.abspath(sys.argv[1])
+
+
+def read(name):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(os.path.join(data, name))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def points(surface):
+    return vtk_to_numpy(surface.GetPoints().GetData())
+
+
+def faces(surface):
+    return vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+def filtered(surface, prepare=lambda style: None, **values):
+    """The filter's own result; values by the names of VTK."""
+    style = ss.vtkSphericalStyleFilter()
+    style.SetInputData(surface)
+    prepare(style)
+    for name, value in values.items():
+        getattr(style, "Set" + name)(value)
+    style.Update()
+    return style.GetOutput()
+
+
+def same(a, b):
+    return a.shape == b.shape and a.dtype == b.dtype and np.array_equal(a, b)
+
+
+def fails(kind, words, *arguments, **keywords):
+    """round() raises exactly this kind of exception, with these words."""
+    try:
+        ss.round(*arguments, **keywords)
+    except Exception as error:
+        assert type(error) is kind, (kind, repr(error))
+        assert words in str(error), (words, str(error))
+    else:
+        raise AssertionError(f"no {kind.__name__} for {keywords}")
+
+
+creature = read("creature.vtp")
+before = points(creature).copy()
+P, F = before, faces(creature)
+expected = filtered(creature)
+
+# ------------------------------------------------------------------------------------------------ kinds of meshes
+result = ss.round(creature)
+assert type(result) is vtkPolyData and result is not creature
+assert same(points(result), points(expected)) and same(faces(result), faces(expected))
+assert not np.array_equal(points(result), before) and same(points(creature), before), "the mesh itself stays"
+names = [expected.GetPointData().GetArrayName(k) for k in range(expected.GetPointData().GetNumberOfArrays())]
+assert [result.GetPointData().GetArrayName(k) for k in range(len(names))] == names
+
+Q, G = ss.round((P, F))
+assert type(Q) is np.ndarray and same(Q, points(expected)) and same(G, F) and G is not F
+Q, G = ss.round((P.astype(np.float64), F.astype(np.int32)), refine_long_edges="Off")
+assert Q.dtype == np.float64 and np.allclose(Q, points(expected), atol=1e-5) and G.dtype == np.int32
+Q, G = ss.round([P.tolist(), F.tolist()])
+assert Q.dtype == np.float64 and G == F.tolist()
+blocks = vtkMultiBlockDataSet()
+blocks.SetBlock(0, creature)
+assert same(points(ss.round(blocks).GetBlock(0)), points(expected))
+
+# A box of quads: its long edges are split, and all faces with them; or it keeps its faces, in its own numbers.
+box = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 3)])
+quads = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]], dtype=np.uint16)
+Q, G = ss.round((box, quads))
+assert G.dtype == np.uint16 and G.shape[1] == 3 and len(Q) > len(box) and G.max() == len(Q) - 1
+Q, G = ss.round((box, quads), refine_long_edges="Off")
+assert Q.shape == box.shape and Q.dtype == np.float64 and same(G, quads)
+mixed = [[0, 1, 3], [0, 3, 2], *quads[1:].tolist()]
+assert ss.round((box, mixed), refine_long_edges="Off")[1] == mixed
+Q, G = ss.round((box, mixed))
+assert len(G) > len(mixed) and all(len(face) == 3 and max(face) < len(Q) for face in G)
+
+
+class Mesh:
+    """As those of trimesh: made of vertices and faces, with things of its own that a copy keeps."""
+
+    def __init__(self, vertices, faces, process=True):
+        assert not process
+        self.vertices, self.faces, self.color = np.asarray(vertices), np.asarray(faces), "blue"
+
+    def copy(self):
+        other = Mesh(self.vertices.copy(), self.faces.copy(), process=False)
+        other.color = self.color
+        return other
+
+
+mesh = Mesh(P, F, process=False)
+mesh.color = "red"
+result = ss.round(mesh)
+assert type(result) is Mesh and result is not mesh and result.color == "red"
+assert same(result.vertices, points(expected)) and same(result.faces, F) and same(mesh.vertices, before)
+result = ss.round(Mesh(box, quads, process=False))
+assert type(result) is Mesh and len(result.vertices) > len(box) and result.faces.shape[1] == 3
+plain = types.SimpleNamespace(vertices=P, faces=F)
+assert same(ss.round(plain).vertices, points(expected)) and same(plain.vertices, before)
+fails(TypeError, 'refine_long_edges="Off" keeps the faces', type("Odd", (), {"vertices": box, "faces": quads})())
+
+# ---------------------------------------------------------------------------------------------- PyVista, or its like
+try:
+    import pyvista
+    cloth = pyvista.wrap(creature)
+except ImportError:
+    pyvista = types.ModuleType("pyvista")
+    pyvista.DataObject = type("DataObject", (), {})
+    pyvista.PolyData = type("PolyData", (vtkPolyData, pyvista.DataObject), {})
+    pyvista.registered = {}
+    pyvista.register_dataset_accessor = lambda name, kind: lambda cls: pyvista.registered.update({name: (kind, cls)})
+
+    def wrap(surface):
+        wrapped = pyvista.PolyData()
+        wrapped.ShallowCopy(surface)
+        return wrapped
+
+    pyvista.wrap = wrap
+    sys.modules["pyvista"] = pyvista
+    cloth = wrap(creature)
+    rounding._register_accessor()
+    kind, accessor = pyvista.registered["spherical_style"]
+    assert kind is pyvista.PolyData
+    assert same(points(accessor(cloth).round(roundness=2.0)), points(filtered(creature, Roundness=2.0)))
+result = ss.round(cloth, preset="Chibi")
+assert isinstance(result, pyvista.PolyData) and result is not cloth
+assert same(points(result), points(filtered(creature, lambda style: presets.apply(style, "Chibi"))))
+
+# ------------------------------------------------------------------------------------------- presets and properties
+for name in presets.PRESETS:
+    assert same(points(ss.round(creature, preset=name)),
+                points(filtered(creature, lambda style: presets.apply(style, name)))), name
+assert same(points(ss.round(creature, preset="Ball", roundness=1.2)),
+            points(filtered(creature, lambda style: presets.apply(style, "Ball"), Roundness=1.2)))
+assert same(points(ss.round(creature, keep_size="Volume", keep_on_ground=True, up_axis="z", normal_radius="whole_model",
+                            output_points_precision="Double", number_of_threads=1)),
+            points(filtered(creature, KeepSize=2, KeepOnGround=True, UpAxis=2, NormalRadius=1, OutputPointsPrecision=1)))
+center = (0.1, 0.2, 0.3)
+assert same(points(ss.round(creature, center=center, radius=0.5, normal_blend=0)),
+            points(filtered(creature, Center=center, CenterMode=2, Radius=0.5, RadiusMode=2, NormalBlend=0.0)))
+assert same(points(ss.round(creature, center=center, center_mode="PointMean")), points(filtered(creature, CenterMode=0)))
+assert same(points(ss.round(creature, roundness=None, preset=None)), points(expected))
+
+# Every property of the class is a keyword, each choice is one of its values, and both show in help().
+style = ss.vtkSphericalStyleFilter()
+known = properties.properties()
+for keyword, property_ in known.items():
+    for value, choice in enumerate(property_.choices):
+        property_.set(style, choice)
+        assert getattr(style, "Get" + property_.name)() == value, (keyword, choice)
+    assert property_.description, keyword
+enumerations = {name for name, property_ in known.items() if property_.choices}
+table = FilterTable.FILTERS["SphericalStyleFilter"]
+assert enumerations >= {properties.keyword_of(name) for name in table["enumerations"]}, enumerations
+assert set(known) >= {properties.keyword_of(name) for name in table["known"]}
+arrays = [properties.keyword_of(name[:-len("Array")]) for name in table["arrays"]]
+assert list(rounding.ARRAYS) == arrays and list(rounding.ARRAYS.values()) == list(range(len(arrays)))
+signature = inspect.signature(ss.round).parameters
+assert list(signature)[:3] == ["mesh", "preset", "roundness"] and set(known) <= set(signature)
+assert signature["keep_size"].default == "Area" and signature["roundness"].default == style.GetRoundness()
+
+# The types for editors say the same.
+with open(os.path.join(os.path.dirname(ss.__file__), "__init__.pyi"), encoding="utf-8") as file:
+    function, = (node for node in ast.parse(file.read()).body if isinstance(node, ast.FunctionDef))
+assert [argument.arg for argument in function.args.kwonlyargs] == list(signature)[1:]
+for argument in function.args.kwonlyargs:
+    words = re.findall(r"'(\w+)'", ast.unparse(argument.annotation))
+    choices = list(presets.PRESETS) if argument.arg == "preset" else \
+        known[argument.arg].choices if argument.arg in known else ()
+    assert words == list(choices), (argument.arg, words)
+assert os.path.exists(os.path.join(os.path.dirname(ss.__file__), "py.typed"))
+
+# --------------------------------------------------------------------------------------------- values of each point
+height = P[:, 1].astype(float)
+upper = height > np.median(height)
+result = ss.round(creature, region=upper)
+assert same(points(result)[~upper], before[~upper]) and not np.array_equal(points(result)[upper], before[upper])
+assert not result.GetPointData().HasArray("region") and not creature.GetPointData().HasArray("region")
+assert same(ss.round((P, F), region=upper.tolist())[0], points(result))
+named = vtkPolyData()
+named.ShallowCopy(creature)
+mask = numpy_to_vtk(upper.astype(float), deep=True)
+mask.SetName("region")
+named.GetPointData().AddArray(mask)
+assert same(points(ss.round(named, region="region")), points(result))
+again = ss.round(named, region=~upper)  # not to be mixed up with that of the mesh
+assert same(points(again)[upper], before[upper])
+assert np.array_equal(vtk_to_numpy(again.GetPointData().GetArray("region")), upper)
+half = np.full(len(P), 0.5)
+assert np.allclose(points(ss.round(creature, roundness_factor=half)), points(filtered(creature, Roundness=0.5)), atol=1e-6)
+assert np.allclose(points(ss.round(creature, normal_blend=half)), points(filtered(creature, NormalBlend=0.5)), atol=1e-6)
+ids = upper.astype(int)
+two = ss.round(creature, center_id=ids, centers=[[0, -1, 0], [0, 1, 0]])
+assert not np.array_equal(points(two), points(ss.round(creature, center_id=ids)))
+
+# ------------------------------------------------------------------------------------------------ what cannot be done
+fails(TypeError, "round() has no keyword 'roundnes'; did you mean 'roundness'?", creature, roundnes=2)
+fails(TypeError, "did you mean 'keep_on_ground'?", creature, KeepOnGround=True)
+fails(TypeError, "round() has no keyword 'xyzzy'", creature, xyzzy=1)
+fails(ValueError, "there is no preset 'Toyy', only Soft, Toy", creature, preset="Toyy")
+fails(ValueError, "normal_blend must be 0 to 1; it is 1.5", creature, normal_blend=1.5)
+fails(ValueError, "roundness must be finite and 0 or more; it is -1", creature, roundness=-1)
+fails(ValueError, "roundness must be a number; it is nan", creature, roundness=float("nan"))
+fails(ValueError, "number_of_threads must be 0 to 1024; it is -1", creature, number_of_threads=-1)
+fails(ValueError, f"maximum_number_of_iterations must be 0 or more; it is {2**40}", creature,
+      maximum_number_of_iterations=2**40)
+fails(ValueError, 'keep_size must be "Off", "Area", "Volume" or "Extent"; it is \'Mass\'', creature, keep_size="Mass")
+fails(TypeError, "keep_size must be", creature, keep_size=1)
+fails(TypeError, "roundness must be a number; it is 'two'", creature, roundness="two")
+fails(TypeError, "number_of_threads must be a whole number", creature, number_of_threads=1.5)
+fails(TypeError, "keep_on_ground must be True or False", creature, keep_on_ground="yes")
+fails(TypeError, "center must be three numbers", creature, center=(1, 2))
+fails(TypeError, "centers needs center_id", creature, centers=[[0, 0, 0]])
+fails(ValueError, f"region must have a value for each of the {len(P)} points; it has 3", creature, region=[1, 0, 1])
+fails(ValueError, "region must be an array", creature, region=["a"] * len(P))
+fails(ss.Error, 'Region: there is no numeric point array "nothing"', creature, region="nothing")
+fails(TypeError, "round() takes a vtkPolyData, a PyVista mesh", 3)
+fails(ValueError, "points must be an array of n x 3 numbers; it is 5 x 2 of float64", (np.zeros((5, 2)), F))
+fails(ValueError, "faces must be an array of m x 3", (P, F.ravel()))
+fails(ValueError, "faces must be an array of m x 3", (P, F.astype(float)))
+fails(ss.Error, f"names point {len(P)}, the input has {len(P)}", (P, [[0, 1, len(P)]]))
+bad = P.copy()
+bad[7] = np.nan
+fails(ss.Error, "Points: point 7 is not finite", (bad, F))
+fails(ss.Error, "not a surface (vtkPolyData)", vtkUnstructuredGrid())
+flat = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
+fails(ss.Error, "KeepSize", (flat, [[0, 1, 2]]), keep_size="Volume")
+
+# A warning is Python's, and nothing is printed: not for an error either.
+with warnings.catch_warnings(record=True) as caught:
+    warnings.simplefilter("always")
+    assert same(ss.round((flat, [[0, 1, 1]]))[0], flat)
+assert {item.category for item in caught} == {ss.StyleWarning} and caught[0].filename == __file__
+assert any("no triangle with an area" in str(item.message) for item in caught), [str(item.message) for item in caught]
+quiet = subprocess.run([sys.executable, "-c", "import sphericalstyle as ss\ntry:\n  ss.round(([[0,0,float('nan')]],"
+                        " [[0,0,0]]))\nexcept ss.Error as error:\n  print(error)"],
+                       check=True, capture_output=True, text=True)
+assert "not finite" in quiet.stdout and quiet.stderr == "", quiet
+
+# Python's own round stays what it is, and window is found without an import of its own where there is ParaView.
+namespace = {}
+exec("from sphericalstyle import *", namespace)
+assert "round" not in namespace and "vtkSphericalStyleFilter" in namespace and "presets" in namespace
+try:
+    ss.nothing
+    raise SystemExit("there is no such attribute")
+except AttributeError as error:
+    assert "nothing" in str(error)
+
+# ---------------------------------------------------------------------------- misspelled attributes of the classes
+if hasattr(ss.vtkSphericalStyleFilter, "override"):
+    style = ss.vtkSphericalStyleFilter()
+    for attribute in ("Roundnes", "Roundness", "roundnes"):
+        if hasattr(ss.vtkSphericalStyleFilter, attribute):
+            continue
+        try:
+            setattr(style, attribute, 3)
+            raise SystemExit(f"{attribute} was taken")
+        except AttributeError as error:
+            assert str(error) == f"vtkSphericalStyleFilter has no attribute '{attribute}'; did you mean SetRoundness()?"
+    style._mine = 3  # what begins with an underscore is the user's own
+    assert style._mine == 3 and isinstance(style, ss.vtkSphericalStyleFilter)
+    assert isinstance(style, ss.vtkStyleAlgorithm) and style.GetClassName() == "vtkSphericalStyleFilter"
+    thesis = ss.vtkThesisStyleFilter()
+    assert isinstance(thesis, ss.vtkSphericalStyleFilter) and isinstance(thesis, ss.vtkThesisStyleFilter)
+    thesis.SetAnchorToLastPoint()
+    source = vtkSphereSource()
+    style.SetInputConnection(source.GetOutputPort())
+    assert style.GetOutputPort().GetProducer() is style
+
+    class Own(ss.vtkSphericalStyleFilter):
+        """May have any attribute."""
+
+        def __init__(self):
+            self.reader = source
+
+    assert Own().reader is source and isinstance(Own(), ss.vtkSphericalStyleFilter)
+
+# ------------------------------------------------------------------------------------------------------------ examples
+for module in (rounding, meshes, properties):
+    outcome = doctest.testmod(module)
+    assert outcome.failed == 0, module
+assert doctest.testmod(rounding).attempted > 0
+for page in sys.argv[2:]:
+    with open(page, encoding="utf-8") as file:
+        examples = re.findall(r"^```python\n(.*?)^```", file.read(), re.MULTILINE | re.DOTALL)
+    assert examples, page
+    with tempfile.TemporaryDirectory() as folder:
+        os.symlink(data, os.path.join(folder, "Data"))
+        os.chdir(folder)
+        namespace = {}
+        for example in examples:
+            if "pyvista" not in example and "trimesh" not in example and "paraview" not in example:
+                exec(compile(example, page, "exec"), namespace)
+        os.chdir(data)
