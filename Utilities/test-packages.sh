@@ -81,6 +81,8 @@ try_paraview()
   as_user /tmp/test pvbatch TestInstalled.py /usr - $names
   version=$(field sphericalstyle Version)
   as_user /tmp/test python3 TestImport.py "${version%-*}" /usr
+  as_user /tmp/test sphericalstyle /usr/share/doc/sphericalstyle/examples/creature.vtp command.ply --preset Toy
+  test -s "$root/tmp/test/command.ply" && test -s "$root/usr/share/man/man1/sphericalstyle.1"
   with_screen pvpython --dr /usr/share/doc/sphericalstyle/examples/Python/round_model.py \
     /usr/share/doc/sphericalstyle/examples/creature.vtp --output /tmp/test/rounded
   for script in "$root"/tmp/test/*Window.xml; do

@@ -43,7 +43,7 @@ set(CPACK_DEBIAN_RUN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_RUN_DESCRIPTION
   "The result ranges from slightly softened to a ball, with or without the details
 of the model. This package contains the plugin for ParaView, the Python package
-sphericalstyle and the library, built for ${sphericalstyle_built_for}.")
+and the program sphericalstyle, and the library, built for ${sphericalstyle_built_for}.")
 set(CPACK_DEBIAN_RUN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 # postinst and prerm create and remove Python's byte code; shlibs is for packages of programs that link the library.
@@ -51,7 +51,8 @@ configure_file("${debian}/shlibs.in" "${CMAKE_BINARY_DIR}/shlibs" @ONLY)
 set(CPACK_DEBIAN_RUN_PACKAGE_CONTROL_EXTRA
   "${debian}/postinst;${debian}/prerm;${debian}/triggers;${CMAKE_BINARY_DIR}/shlibs")
 
-set(CPACK_DEBIAN_RUN_PACKAGE_SUGGESTS openmpi-bin) # mpirun, for several processes
+# mpirun, for several processes; pictures of the command line on a machine without a screen
+set(CPACK_DEBIAN_RUN_PACKAGE_SUGGESTS "openmpi-bin, xvfb")
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME sphericalstyle-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
