@@ -14,6 +14,7 @@ import argparse
 import glob
 import json
 import os
+import re
 import shutil
 import signal
 import socket
@@ -240,8 +241,10 @@ def check_trace(options, trace, updates, center):
             [options.trace, "--dr", script.name, json.dumps([os.path.abspath(options.model), properties, trace])],
             env=dict(os.environ, PV_PLUGIN_PATH=plugin_path(options)), capture_output=True, text=True).stdout
     replayed = [json.loads(line.split(" ", 1)[1]) for line in output.splitlines() if line.startswith("replayed ")]
-    print(f"trace: {trace.count('.Center = ')} changes of Center, replayed {replayed}, dragged to {center}")
-    if updates != 1 or trace.count(".Center = ") != 1 or not replayed or not numpy.allclose(replayed[0], center):
+    # style.Center = [...], and from ParaView 6 on style.Set(Center=[...])
+    changes = len(re.findall(r"\bCenter ?= ?\[", trace))
+    print(f"trace: {changes} changes of Center, replayed {replayed}, dragged to {center}")
+    if updates != 1 or changes != 1 or not replayed or not numpy.allclose(replayed[0], center):
         print(f"FAILED: {updates} updates, and not 1; trace:\n{trace}")
         return 1
     print("passed")
