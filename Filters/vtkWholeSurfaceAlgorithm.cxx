@@ -24,6 +24,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -163,16 +164,28 @@ private:
   std::vector<vtkInformationVector*> Vectors;
 };
 
-/// Surfaces without what nobody can need of them.
-void LeaveOutEmptyArrays(vtkInformationVector** original, int ports, Inputs& inputs)
+/// @return the inputs with surfaces that have no empty arrays, or nullptr where they have none
+std::unique_ptr<Inputs> WithoutEmptyArrays(vtkInformationVector** original, int ports)
 {
+  std::unique_ptr<Inputs> inputs;
   for (int p = 0; p < ports; ++p)
   {
-    if (auto* surface = vtkPolyData::SafeDownCast(vtkDataObject::GetData(original[p], 0)))
+    auto* surface = vtkPolyData::SafeDownCast(vtkDataObject::GetData(original[p], 0));
+    if (!surface)
     {
-      inputs.Set(p, vtkSurfaceMeshConversion::WithoutEmptyArrays(surface));
+      continue;
+    }
+    const auto without = vtkSurfaceMeshConversion::WithoutEmptyArrays(surface);
+    if (without != surface)
+    {
+      if (!inputs)
+      {
+        inputs = std::make_unique<Inputs>(original, ports);
+      }
+      inputs->Set(p, without);
     }
   }
+  return inputs;
 }
 
 /// Puts the wholes, and the marks as a selection, in the place of the parts. @return the model
@@ -334,9 +347,16 @@ int vtkWholeSurfaceAlgorithm::RequestData(
 {
   const int ports = this->GetNumberOfInputPorts();
   const auto held = Held(original, ports);
-  Inputs taken(original, ports);
-  LeaveOutEmptyArrays(original, ports, taken);
-  vtkInformationVector** inputVector = taken.Get();
+  std::unique_ptr<Inputs> without;
+  try
+  {
+    without = WithoutEmptyArrays(original, ports);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< "leaving out empty arrays: " << error.what()); // so they will be refused
+  }
+  vtkInformationVector** inputVector = without ? without->Get() : original;
   if (!this->Internal->Gathers)
   {
     return this->RequestWholeData(request, inputVector, outputVector);

@@ -377,15 +377,23 @@ void CheckAllNormals(vtkPolyData* input)
   CheckNormals(input->GetCellData(), input->GetNumberOfCells(), "cells");
 }
 
-/// @param number  of the points or cells that the arrays describe
+/// @param number  of the points or cells that the arrays describe @return the index of an array
+/// without a tuple, or -1
+int FindEmptyArray(vtkDataSetAttributes* attributes, vtkIdType number)
+{
+  int k = number > 0 ? attributes->GetNumberOfArrays() - 1 : -1;
+  while (k >= 0 && attributes->GetAbstractArray(k)->GetNumberOfTuples() > 0)
+  {
+    --k;
+  }
+  return k;
+}
+
 void RemoveEmptyArrays(vtkDataSetAttributes* attributes, vtkIdType number)
 {
-  for (int k = attributes->GetNumberOfArrays() - 1; number > 0 && k >= 0; --k)
+  for (int k = FindEmptyArray(attributes, number); k >= 0; k = FindEmptyArray(attributes, number))
   {
-    if (attributes->GetAbstractArray(k)->GetNumberOfTuples() == 0)
-    {
-      attributes->RemoveArray(k);
-    }
+    attributes->RemoveArray(k);
   }
 }
 
@@ -747,6 +755,11 @@ bool Update(
 
 vtkSmartPointer<vtkPolyData> WithoutEmptyArrays(vtkPolyData* input)
 {
+  if (FindEmptyArray(input->GetPointData(), input->GetNumberOfPoints()) < 0 &&
+    FindEmptyArray(input->GetCellData(), input->GetNumberOfCells()) < 0)
+  {
+    return input;
+  }
   auto without = vtkSmartPointer<vtkPolyData>::New();
   without->ShallowCopy(input);
   RemoveEmptyArrays(without->GetPointData(), input->GetNumberOfPoints());

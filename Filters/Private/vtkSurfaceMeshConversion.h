@@ -75,6 +75,7 @@ bool Update(vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>
 
 /// The surface without arrays of points or cells that have no tuple, although there are points or
 /// cells: vtkOBJReader makes such normals where faces name some that are not in the file.
+/// @return the input itself where it has no such array
 vtkSmartPointer<vtkPolyData> WithoutEmptyArrays(vtkPolyData* input);
 
 /// What FromPolyData refuses, and arrays of another number of tuples than points or cells.
