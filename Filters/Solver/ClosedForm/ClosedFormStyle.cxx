@@ -118,6 +118,7 @@ class ClosedFormStyle::State
 public:
   const Points* P = nullptr;
   const Triangles* F = nullptr;
+  SurfacePart Part;
   Stage<OfMesh, Eigen::VectorXd> Areas; // of the points
   Stage<OfMesh, Triangles> Turned;      // facing outward; none where they do already
   Stage<LengthKey, double> RestLength;  // of the whole model
@@ -132,7 +133,7 @@ public:
   ClosedFormResult Result;
 
   const Points& GetBase() const { return this->HasDetails() ? this->Base->B : *this->P; }
-  bool HasDetails() const { return this->Base->B.rows() > 0; }
+  bool HasDetails() const { return this->Base->Grid.GetNumberOfFunctions() > 0; }
   void Start(const Callback& callback);
   void Step();
   const Triangles& Outward();
@@ -163,7 +164,8 @@ void ClosedFormStyle::State::Start(const Callback& callback)
 
 void ClosedFormStyle::State::Step()
 {
-  if (this->Asked && !this->Asked(++this->Steps, 0.0))
+  const bool ends = this->Asked && !this->Asked(++this->Steps, 0.0);
+  if (this->Part.Max(ends ? 1.0 : 0.0) > 0.0)
   {
     throw SolveAborted{};
   }
@@ -175,8 +177,8 @@ const Triangles& ClosedFormStyle::State::Outward()
   this->Turned.Update({},
     [&](Triangles& turned)
     {
-      Triangles oriented = OrientAlike(*this->P, *this->F);
-      if (EnclosedVolume(*this->P, oriented) < 0.0)
+      Triangles oriented = OrientAlike(*this->P, *this->F, this->Part);
+      if (EnclosedVolume(*this->P, oriented, this->Part) < 0.0)
       {
         oriented.col(1).swap(oriented.col(2));
       }
@@ -210,9 +212,10 @@ void ClosedFormStyle::State::MakeBase(const ClosedFormOptions& o, SmoothBase& ba
   }
   const Triangles& outward = this->Outward();
   this->Step();
-  base.Grid = SurfaceGrid(*this->P, outward, o.detailSize, o.threads);
+  base.Grid = SurfaceGrid(*this->P, outward, o.detailSize, o.threads, this->Part);
   this->Step();
-  const std::vector<GridPair> walls = FindWalls(base.Grid, *this->P, outward, o.threads);
+  const std::vector<GridPair> walls =
+    FindWalls(base.Grid, *this->P, outward, o.threads, this->Part);
   base.Walls = static_cast<int>(walls.size());
   this->Step();
   base.Grid.Factor(walls, o.threads);
@@ -242,7 +245,7 @@ void ClosedFormStyle::State::KeepWhatIsUnknown(int threads, SmoothBase& base) co
 /// Those of the base; without details, those that are given.
 const Points& ClosedFormStyle::State::Normals(const ClosedFormOptions& o)
 {
-  if (!this->HasDetails() && o.normals.rows() > 0)
+  if (!this->HasDetails() && this->Part.Max(o.normals.rows() > 0 ? 1.0 : 0.0) > 0.0)
   {
     return o.normals;
   }
@@ -255,7 +258,7 @@ const Points& ClosedFormStyle::State::Normals(const ClosedFormOptions& o)
       }
       else
       {
-        normals = PointNormals(*this->P, this->Outward());
+        normals = PointNormals(*this->P, this->Outward(), this->Part);
       }
     });
   return this->OwnNormals.Get();
@@ -283,7 +286,10 @@ void ClosedFormStyle::State::MakeNormals(int threads, Points& normals) const
 void ClosedFormStyle::State::UpdateThickness(const ClosedFormOptions& o, double radius)
 {
   const auto make = [&](Eigen::VectorXd& thickness)
-  { thickness = LimbThickness(*this->P, this->GetBase(), this->Outward(), radius, o.threads); };
+  {
+    thickness =
+      LimbThickness(*this->P, this->GetBase(), this->Outward(), radius, o.threads, this->Part);
+  };
   if (this->Thickness.Update({ this->Base.GetVersion(), radius }, make))
   {
     this->Step();
@@ -295,13 +301,14 @@ void ClosedFormStyle::State::UpdateJoints(const ClosedFormOptions& o)
   const auto make = [&](CenterJoints& joints)
   {
     joints = {};
-    joints.Shares = Fields::Zero(this->P->rows(), o.NumberOfCenters());
+    joints.Shares = Fields::Zero(this->P->rows(), o.NumberOfCenters(this->Part));
     for (Eigen::Index i = 0; i < this->P->rows(); ++i)
     {
       joints.Shares(i, o.centerIds[i]) = 1.0;
     }
     constexpr double Finest = 0.02; // the grid of the joints, where their width is less
-    joints.Grid = SurfaceGrid(*this->P, *this->F, std::max(o.centerBlend, Finest), o.threads);
+    joints.Grid =
+      SurfaceGrid(*this->P, *this->F, std::max(o.centerBlend, Finest), o.threads, this->Part);
     if (o.centerBlend > 0.0)
     {
       joints.Grid.Factor({}, o.threads);
@@ -312,7 +319,12 @@ void ClosedFormStyle::State::UpdateJoints(const ClosedFormOptions& o)
     }
     joints.Grid.FactorPoisson(o.threads);
   };
-  if (this->Joints.Update({ o.centerIds, o.centerBlend }, make))
+  const SharesKey key = { o.centerIds, o.centerBlend };
+  if (this->Part.Max(this->Joints.Has(key) ? 0.0 : 1.0) > 0.0)
+  {
+    this->Joints.Forget(); // other points of this process or another one
+  }
+  if (this->Joints.Update(key, make))
   {
     this->Step();
   }
@@ -323,7 +335,10 @@ Sphere ClosedFormStyle::State::SphereOfAll(const ClosedFormOptions& o)
 {
   this->WholeSphere.Update({ this->Base.GetVersion(), o.centerMode, o.radiusMode },
     [&](Sphere& sphere)
-    { sphere = TargetSphere(this->GetBase(), *this->F, o.centerMode, o.radiusMode, o.custom); });
+    {
+      sphere =
+        TargetSphere(this->GetBase(), *this->F, o.centerMode, o.radiusMode, o.custom, this->Part);
+    });
   // Custom modes take what is given, and say what is wrong with it.
   const Sphere& known = this->WholeSphere.Get();
   const Sphere sphere = { o.centerMode == CenterMode::Custom ? o.custom.center : known.center,
@@ -334,24 +349,24 @@ Sphere ClosedFormStyle::State::SphereOfAll(const ClosedFormOptions& o)
 /// The target sphere of each center.
 std::vector<Sphere> ClosedFormStyle::State::Spheres(const ClosedFormOptions& o)
 {
-  const bool ofAll = !o.sphereOfFreePoints || o.fixedPoints.empty();
-  if (o.NumberOfCenters() == 1 && ofAll)
+  const bool ofAll = !o.HasFixedPoints(this->Part) || !o.sphereOfFreePoints;
+  if (o.NumberOfCenters(this->Part) == 1 && ofAll)
   {
     return { this->SphereOfAll(o) };
   }
-  return SpheresOfCenters(this->GetBase(), *this->F, o);
+  return SpheresOfCenters(this->GetBase(), *this->F, o, this->Part);
 }
 
 /// t = (T - O) / r for one center [toy].
 Points ClosedFormStyle::State::Directions(
   const ClosedFormOptions& o, const Sphere& sphere, std::vector<int>& onCenter)
 {
-  if (o.targets.rows() > 0)
+  if (o.HasTargets(this->Part))
   {
     return o.targets;
   }
-  Points t = CenterDirections(this->GetBase(), *this->F, sphere.center, onCenter);
-  if (!o.UsesNormals())
+  Points t = CenterDirections(this->GetBase(), *this->F, sphere.center, onCenter, this->Part);
+  if (!o.UsesNormals(this->Part))
   {
     return t;
   }
@@ -403,7 +418,7 @@ Points ClosedFormStyle::State::JointMoves(
 Points ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFormReport& report)
 {
   report.spheres = this->Spheres(o);
-  if (o.UsesNormals())
+  if (o.UsesNormals(this->Part))
   {
     this->Normals(o);
     if (o.normalRadius == NormalRadius::OwnThickness)
@@ -585,7 +600,8 @@ void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport&
   const int n = static_cast<int>(P0.rows());
   std::vector<int> members;
   Triangles measured;
-  if (o.fixedPoints.empty())
+  const bool moveAll = !o.HasFixedPoints(this->Part);
+  if (moveAll)
   {
     members.resize(n);
     std::iota(members.begin(), members.end(), 0);
@@ -613,22 +629,23 @@ void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport&
       }
     }
     measured = (*this->F)(inside, AllColumns);
-    if (members.empty() || inside.empty())
+    if (this->Part.Max(members.empty() ? 0.0 : 1.0) == 0.0 ||
+      this->Part.Max(inside.empty() ? 0.0 : 1.0) == 0.0)
     {
       return;
     }
   }
-  const Triangles& F0 = o.fixedPoints.empty() ? *this->F : measured;
+  const Triangles& F0 = moveAll ? *this->F : measured;
   this->Areas.Update({}, [&](Eigen::VectorXd& areas) { areas = PointAreas(P0, *this->F); });
   const Eigen::VectorXd& areas = this->Areas.Get();
-  Eigen::RowVector3d shift = Eigen::RowVector3d::Zero();
-  double total = 0.0;
+  Eigen::RowVector4d sums = Eigen::RowVector4d::Zero(); // with the areas
   for (const int i : members)
   {
-    shift += areas(i) * (P0.row(i) - this->Result.positions.row(i));
-    total += areas(i);
+    sums.head<3>() += areas(i) * (P0.row(i) - this->Result.positions.row(i));
+    sums(3) += areas(i);
   }
-  shift /= total;
+  this->Part.Sum(sums);
+  Eigen::RowVector3d shift = sums.head<3>() / sums(3);
   if (o.keepLastPoint)
   {
     shift = P0.row(members.back()) - this->Result.positions.row(members.back());
@@ -637,9 +654,10 @@ void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport&
   {
     this->Result.positions.row(i) += shift;
   }
-  const auto measure = [&] { return LengthOf(P0, F0, members, areas, o.size, o.threads); };
+  const auto measure = [&]
+  { return LengthOf(P0, F0, members, areas, o.size, o.threads, this->Part); };
   double before = 0.0;
-  if (o.fixedPoints.empty())
+  if (moveAll)
   {
     this->RestLength.Update(
       { o.size.keep, o.size.upAxis }, [&](double& length) { length = measure(); });
@@ -649,8 +667,8 @@ void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport&
   {
     before = measure();
   }
-  report.scale =
-    RestoreSize(P0, F0, members, areas, o.size, before, o.threads, this->Result.positions);
+  report.scale = RestoreSize(
+    P0, F0, members, areas, o.size, before, o.threads, this->Result.positions, this->Part);
 }
 
 //------------------------------------------------------------------------------------------------
@@ -661,14 +679,15 @@ ClosedFormStyle::ClosedFormStyle()
 
 ClosedFormStyle::~ClosedFormStyle() = default;
 
-void ClosedFormStyle::SetMesh(const Points& P, const Triangles& F)
+void ClosedFormStyle::SetMesh(const Points& P, const Triangles& F, SurfacePart part)
 {
   this->S = std::make_unique<State>();
-  this->SetEqualMesh(P, F);
+  this->SetEqualMesh(P, F, std::move(part));
 }
 
-void ClosedFormStyle::SetEqualMesh(const Points& P, const Triangles& F)
+void ClosedFormStyle::SetEqualMesh(const Points& P, const Triangles& F, SurfacePart part)
 {
+  this->S->Part = std::move(part);
   this->S->P = &P;
   this->S->F = &F;
 }

@@ -97,6 +97,11 @@ struct ClosedFormResult
 /// each moves as a whole [centers]. The grid of shares and joints has the size of the blend, but at
 /// least .02.
 ///
+/// Of a surface that is spread over processes each calls SetMesh, Solve and Carry with its part and
+/// the same options but for arrays, and gets its part of the result: that of one process up to
+/// rounding. Sent are the samples of the grids and sums over them, whatever the number of points,
+/// and some numbers for each point that several processes have. All processes are aborted together.
+///
 /// Cost at n points: a pass over the triangles for the grid, sums over its samples and a factor of
 /// G functions (SurfaceGrid), a ray a sample of a coarse grid; then a change costs some 20
 /// small solves and a few passes over points and triangles. Memory about 400 bytes a point.
@@ -107,9 +112,9 @@ public:
   ~ClosedFormStyle();
 
   /// @param P  n x 3, in a frame of diagonal 1 @param F  m x 3; both must outlive this
-  void SetMesh(const Points& P, const Triangles& F);
+  void SetMesh(const Points& P, const Triangles& F, SurfacePart part = {});
   /// The same mesh at another place in memory: everything is kept.
-  void SetEqualMesh(const Points& P, const Triangles& F);
+  void SetEqualMesh(const Points& P, const Triangles& F, SurfacePart part = {});
   /// @param callback  asked after each step, with its number; what is done is kept for the next
   /// solve @throw std::invalid_argument, SolverError, PartWithoutSphere, SolveAborted
   ClosedFormReport Solve(const ClosedFormOptions& options, const Callback& callback = {});

@@ -41,6 +41,52 @@ void ForSamples(const SurfaceGrid& grid, int threads, const Function& f)
     });
 }
 
+/// Looks for what a ray meets first, also where this process has no triangles.
+class OwnTriangles
+{
+public:
+  OwnTriangles(const Points& P, const Triangles& F)
+  {
+    if (F.rows() > 0)
+    {
+      this->Tree.emplace(P, F);
+    }
+  }
+  void Search(FirstHit& hit) const
+  {
+    if (this->Tree)
+    {
+      hit.Search(*this->Tree);
+    }
+  }
+
+private:
+  std::optional<TriangleTree> Tree;
+};
+
+/// Of the hits of all processes the nearest; of several at one distance that of the lowest process.
+/// @param hits  one a row, the distance first
+void TakeNearest(const SurfacePart& part, Fields& hits)
+{
+  if (part.IsWhole())
+  {
+    return;
+  }
+  const auto width = static_cast<std::size_t>(hits.cols());
+  const auto size = static_cast<std::size_t>(hits.size());
+  part.processes->Reduce(hits.data(), size,
+    [width, size](double* into, const double* from)
+    {
+      for (std::size_t at = 0; at < size; at += width)
+      {
+        if (from[at] < into[at])
+        {
+          std::copy_n(from + at, width, into + at);
+        }
+      }
+    });
+}
+
 /// Half of what is between the two sides of a sheet that lie in one sample.
 double HalfOfSheet(const SurfaceGrid& grid, int k)
 {
@@ -49,10 +95,10 @@ double HalfOfSheet(const SurfaceGrid& grid, int k)
 }
 }
 
-Eigen::VectorXd LimbThickness(
-  const Points& P, const Points& B, const Triangles& F, double radius, int threads)
+Eigen::VectorXd LimbThickness(const Points& P, const Points& B, const Triangles& F, double radius,
+  int threads, const SurfacePart& part)
 {
-  SurfaceGrid grid(P, F, LimbSize, threads);
+  SurfaceGrid grid(P, F, LimbSize, threads, part);
   grid.Factor({}, threads);
   const int samples = grid.GetNumberOfSamples();
   const Fields places = grid.Means(B, threads);
@@ -62,27 +108,29 @@ Eigen::VectorXd LimbThickness(
     normals.row(k) = normals.row(k).stableNormalized().eval();
   }
   const Fields around = grid.AtSamples(grid.Smooth(normals, threads), threads);
-  const TriangleTree tree(B, F);
+  const OwnTriangles triangles(B, F);
   const double blind = BlindSubCells * grid.GetSpacing();
 
-  /// 0 where the ray meets nothing.
-  const auto measure = [&](int k)
-  {
-    const Eigen::Vector3d n = normals.row(k);
-    if (!(n.squaredNorm() > 0.5 && around.row(k).dot(n.transpose()) >= Against))
-    {
-      return 0.0;
-    }
-    FirstHit hit(B, F, places.row(k), -n, FirstHit::Nothing);
-    hit.SkipOutsides(blind);
-    hit.Search(tree);
-    return hit.GetTriangle() >= 0 ? std::max(Thinnest, 0.5 * hit.GetDistance()) : 0.0;
-  };
-  std::vector<double> found(samples);
+  Fields distances = Fields::Constant(samples, 1, FirstHit::Nothing);
   ForSamples(grid, threads,
     [&](int k)
     {
-      const double rho = measure(k);
+      const Eigen::Vector3d n = normals.row(k);
+      if (n.squaredNorm() > 0.5 && around.row(k).dot(n.transpose()) >= Against)
+      {
+        FirstHit hit(B, F, places.row(k), -n, FirstHit::Nothing);
+        hit.SkipOutsides(blind);
+        triangles.Search(hit);
+        distances(k, 0) = hit.GetDistance();
+      }
+    });
+  TakeNearest(part, distances);
+  std::vector<double> found(samples); // 0 where nothing is known
+  ForSamples(grid, threads,
+    [&](int k)
+    {
+      const double distance = distances(k, 0);
+      const double rho = distance < FirstHit::Nothing ? std::max(Thinnest, 0.5 * distance) : 0.0;
       const double facing = grid.GetAreaVectors().row(k).norm() / grid.GetWeights()(k);
       const double sheet =
         facing < FacesOneWay ? std::max(Thinnest, HalfOfSheet(grid, k)) : Thinnest;
@@ -120,14 +168,16 @@ Eigen::VectorXd LimbThickness(
   return rho;
 }
 
-std::vector<GridPair> FindWalls(
-  const SurfaceGrid& grid, const Points& P, const Triangles& F, int threads)
+std::vector<GridPair> FindWalls(const SurfaceGrid& grid, const Points& P, const Triangles& F,
+  int threads, const SurfacePart& part)
 {
   const double size = grid.GetSize();
   const double thickest = 2.0 * size;
   const double thinnest = 0.1 * size;
-  const TriangleTree tree(P, F);
-  std::vector<std::optional<GridPair>> found(grid.GetNumberOfSamples());
+  const OwnTriangles triangles(P, F);
+  // Distance, place of the hit, and cos theta.
+  Fields hits = Fields::Zero(grid.GetNumberOfSamples(), 5);
+  hits.col(0).setConstant(FirstHit::Nothing);
   ForSamples(grid, threads,
     [&](int k)
     {
@@ -137,10 +187,9 @@ std::vector<GridPair> FindWalls(
       {
         return; // both sides are in the sample: they are together already
       }
-      const Eigen::Vector3d origin = grid.GetPlaces().row(k);
-      FirstHit hit(P, F, origin, direction, thickest);
+      FirstHit hit(P, F, grid.GetPlaces().row(k), direction, thickest);
       hit.SkipOutsides(BlindSubCells * grid.GetSpacing());
-      hit.Search(tree);
+      triangles.Search(hit);
       if (hit.GetTriangle() < 0)
       {
         return;
@@ -149,21 +198,21 @@ std::vector<GridPair> FindWalls(
       const Eigen::Matrix3d x = P(corners, AllColumns).transpose();
       const Eigen::Vector3d face =
         (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0)).stableNormalized();
-      const double outward = face.dot(direction); // cos theta
-      if (outward > 0.0)
-      {
-        const double d = std::max(hit.GetDistance(), thinnest);
-        found[k] = GridPair{ origin, x * hit.GetPlace(),
-          WallStiffness * grid.GetWeights()(k) * outward * outward *
-            (1.0 / (d * d) - 1.0 / (thickest * thickest)) };
-      }
+      hits(k, 0) = hit.GetDistance();
+      hits.row(k).segment<3>(1) = (x * hit.GetPlace()).transpose();
+      hits(k, 4) = face.dot(direction);
     });
+  TakeNearest(part, hits);
   std::vector<GridPair> walls;
-  for (const auto& pair : found)
+  for (int k = 0; k < grid.GetNumberOfSamples(); ++k)
   {
-    if (pair)
+    const double outward = hits(k, 4);
+    if (outward > 0.0)
     {
-      walls.push_back(*pair);
+      const double d = std::max(hits(k, 0), thinnest);
+      walls.push_back({ grid.GetPlaces().row(k), hits.row(k).segment<3>(1),
+        WallStiffness * grid.GetWeights()(k) * outward * outward *
+          (1.0 / (d * d) - 1.0 / (thickest * thickest)) });
     }
   }
   return walls;

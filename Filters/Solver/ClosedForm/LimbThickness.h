@@ -25,10 +25,13 @@ constexpr double LimbSize = 0.075;
 ///   flipped, says nothing.
 /// - Where no ray meets anything around, as on an open sheet, r.
 ///
+/// Of a surface that is spread over processes each looks for all rays at its own triangles, and the
+/// nearest hit is taken; here and in FindWalls.
+///
 /// @param P, B  n x 3 points and base, in the frame @param F  m x 3, facing outward @param radius
 /// r @return n, above 0
-Eigen::VectorXd LimbThickness(
-  const Points& P, const Points& B, const Triangles& F, double radius, int threads);
+Eigen::VectorXd LimbThickness(const Points& P, const Points& B, const Triangles& F, double radius,
+  int threads, const SurfacePart& part = {});
 
 /// Pairs through walls thinner than 2 s [wall]: from each sample k of the grid, u = x_k, a ray goes
 /// inward, against N_k, until it leaves the surface at v, at a distance d below 2 s and an angle
@@ -39,8 +42,8 @@ Eigen::VectorXd LimbThickness(
 /// d not below s / 10. Both sides of a wall find each other. Gaps are no walls. A sample with both
 /// sides of a sheet, |N_k| / w_k < 1/2, looks for none: they are together already.
 /// @param F  m x 3, the triangles face outward
-std::vector<GridPair> FindWalls(
-  const SurfaceGrid& grid, const Points& P, const Triangles& F, int threads);
+std::vector<GridPair> FindWalls(const SurfaceGrid& grid, const Points& P, const Triangles& F,
+  int threads, const SurfacePart& part = {});
 } // namespace SphericalStyle
 
 #endif

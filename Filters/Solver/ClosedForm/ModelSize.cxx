@@ -32,32 +32,33 @@ double SumOf(const Points& X, const Triangles& F, int threads, const Function& f
     });
 }
 
-double LowestOf(const Points& X, const std::vector<int>& members, int axis)
+double LowestOf(const Points& X, const std::vector<int>& members, int axis, const SurfacePart& part)
 {
   double low = std::numeric_limits<double>::infinity();
   for (const int i : members)
   {
     low = std::min(low, X(i, axis));
   }
-  return low;
+  return -part.Max(-low);
 }
 
-Eigen::RowVector3d MeanOf(
-  const Points& X, const std::vector<int>& members, const Eigen::VectorXd& weights)
+Eigen::RowVector3d MeanOf(const Points& X, const std::vector<int>& members,
+  const Eigen::VectorXd& weights, const SurfacePart& part)
 {
-  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-  double total = 0.0;
+  Eigen::RowVector4d sums = Eigen::RowVector4d::Zero(); // with the weights
   for (const int i : members)
   {
-    sum += weights(i) * X.row(i);
-    total += weights(i);
+    sums.head<3>() += weights(i) * X.row(i);
+    sums(3) += weights(i);
   }
-  return total > 0.0 ? Eigen::RowVector3d(sum / total) : sum;
+  part.Sum(sums);
+  return sums(3) > 0.0 ? Eigen::RowVector3d(sums.head<3>() / sums(3))
+                       : Eigen::RowVector3d(sums.head<3>());
 }
 }
 
 double LengthOf(const Points& X, const Triangles& F, const std::vector<int>& members,
-  const Eigen::VectorXd& weights, const SizeOptions& options, int threads)
+  const Eigen::VectorXd& weights, const SizeOptions& options, int threads, const SurfacePart& part)
 {
   const auto cross = [](const auto& a, const auto& b, const auto& c)
   { return (b - a).cross(c - a).eval(); };
@@ -66,33 +67,33 @@ double LengthOf(const Points& X, const Triangles& F, const std::vector<int>& mem
     case KeepSize::Off:
       break;
     case KeepSize::Area:
-      return std::sqrt(SumOf(X, F, threads,
-        [&](const auto& a, const auto& b, const auto& c) { return 0.5 * cross(a, b, c).norm(); }));
+      return std::sqrt(part.Sum(SumOf(X, F, threads,
+        [&](const auto& a, const auto& b, const auto& c) { return 0.5 * cross(a, b, c).norm(); })));
     case KeepSize::Volume:
     {
-      const Eigen::Vector3d apex = MeanOf(X, members, weights);
+      const Eigen::Vector3d apex = MeanOf(X, members, weights, part);
       const double volume = SumOf(X, F, threads,
         [&](const auto& a, const auto& b, const auto& c)
         { return cross(a, b, c).dot(a - apex) / 6.0; });
-      return std::cbrt(volume);
+      return std::cbrt(part.Sum(volume));
     }
     case KeepSize::Extent:
     {
-      double low = std::numeric_limits<double>::infinity();
-      double high = -low;
+      const double low = LowestOf(X, members, options.upAxis, part);
+      double high = -std::numeric_limits<double>::infinity();
       for (const int i : members)
       {
-        low = std::min(low, X(i, options.upAxis));
         high = std::max(high, X(i, options.upAxis));
       }
-      return high - low;
+      return part.Max(high) - low;
     }
   }
   return 1.0;
 }
 
 double RestoreSize(const Points& P, const Triangles& F, const std::vector<int>& members,
-  const Eigen::VectorXd& weights, const SizeOptions& options, double before, int threads, Points& Q)
+  const Eigen::VectorXd& weights, const SizeOptions& options, double before, int threads, Points& Q,
+  const SurfacePart& part)
 {
   // Below, rounding decides; lengths, as fractions of the diagonal. The cube root of a volume has
   // few digits.
@@ -100,8 +101,8 @@ double RestoreSize(const Points& P, const Triangles& F, const std::vector<int>& 
   double factor = 1.0;
   if (options.keep != KeepSize::Off)
   {
-    const Eigen::RowVector3d mean = MeanOf(Q, members, weights);
-    const double after = LengthOf(Q, F, members, weights, options, threads);
+    const Eigen::RowVector3d mean = MeanOf(Q, members, weights, part);
+    const double after = LengthOf(Q, F, members, weights, options, threads, part);
     factor = before / after;
     if (!(std::abs(before) > nothing && std::abs(after) > nothing && factor > 0.0) ||
       !std::isfinite(factor))
@@ -120,7 +121,8 @@ double RestoreSize(const Points& P, const Triangles& F, const std::vector<int>& 
   }
   if (options.keepOnGround)
   {
-    const double rise = LowestOf(P, members, options.upAxis) - LowestOf(Q, members, options.upAxis);
+    const double rise =
+      LowestOf(P, members, options.upAxis, part) - LowestOf(Q, members, options.upAxis, part);
     for (const int i : members)
     {
       Q(i, options.upAxis) += rise;

@@ -5,7 +5,7 @@
 #ifndef SphericalStyle_ModelSize_h
 #define SphericalStyle_ModelSize_h
 
-#include "TriangleMesh.h"
+#include "SurfacePart.h"
 
 namespace SphericalStyle
 {
@@ -27,8 +27,10 @@ struct SizeOptions
 
 /// What is kept, as a length: the root of the area, the cube root of the volume, the extent.
 /// @param members  the points that count @param weights  n, of the points in the mean: rest areas
+/// of the triangles of this process
 double LengthOf(const Points& X, const Triangles& F, const std::vector<int>& members,
-  const Eigen::VectorXd& weights, const SizeOptions& options, int threads);
+  const Eigen::VectorXd& weights, const SizeOptions& options, int threads,
+  const SurfacePart& part = {});
 
 /// Scales Q about its mean so that `keep` is what it was, then moves it along the up axis if asked.
 /// @param P, Q  n x 3 rest and deformed points @param F  m x 3, what is measured
@@ -38,8 +40,8 @@ double LengthOf(const Points& X, const Triangles& F, const std::vector<int>& mem
 /// @return the factor; 1 with Off
 /// @throw std::invalid_argument where there is nothing to keep: no volume, or no extent
 double RestoreSize(const Points& P, const Triangles& F, const std::vector<int>& members,
-  const Eigen::VectorXd& weights, const SizeOptions& options, double before, int threads,
-  Points& Q);
+  const Eigen::VectorXd& weights, const SizeOptions& options, double before, int threads, Points& Q,
+  const SurfacePart& part = {});
 } // namespace SphericalStyle
 
 #endif

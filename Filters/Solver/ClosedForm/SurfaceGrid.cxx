@@ -12,7 +12,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <unordered_map>
+#include <utility>
 
 namespace SphericalStyle
 {
@@ -31,6 +33,10 @@ constexpr int MostCutsToSearch = 4;    // of an edge: beyond, parts of a triangl
 constexpr int TrianglesOfTask = 1 << 15;
 constexpr int CellsOfTask = 64;
 constexpr int PointsOfPacket = 4096;
+/// What is known of a sub-cell: its number among all, area w, then the sums of w x, w n, w (I - n
+/// n^T) and w x x^T over what lies in it; of symmetric matrices xx, xy, xz, yy, yz, zz.
+constexpr int NumbersOfSample = 20;
+using SampleSums = std::array<double, NumbersOfSample>;
 constexpr int Outside = -1;
 
 /// Weights of the three functions along an axis at t in 0..1 of a cell.
@@ -264,10 +270,14 @@ private:
   };
   struct Samples;
 
+  std::vector<std::size_t> Merge(std::vector<SampleSums>& sums) const;
+  void TakeSums(const std::vector<SampleSums>& sums, std::size_t cells);
   void Cut(int triangle, Parts& parts) const;
   void CutEvenly(int triangle, int n, Parts& parts) const;
-  void SumCell(const Part* begin, const Part* end, Samples& samples) const;
-  void SumSubCell(const Part* begin, const Part* end, Samples& samples) const;
+  /// @param cell  number among the active ones
+  void SumCell(int cell, const Part* begin, const Part* end, Samples& samples) const;
+  /// @param number  of the sub-cell among those of all active cells
+  void SumSubCell(double number, const Part* begin, const Part* end, Samples& samples) const;
   /// Where each sample is in its cell.
   void PlaceInCells(const std::vector<int>& cells);
 
@@ -280,12 +290,7 @@ private:
 
 struct SurfaceGrid::Splatter::Samples
 {
-  std::vector<int> numbers; // of samples, of each cell
-  std::vector<double> weights;
-  std::vector<Eigen::Vector3d> places;
-  std::vector<Eigen::Vector3d> areaVectors;
-  std::vector<std::array<double, 6>> tangents;
-  std::vector<Eigen::Matrix3d> spreads;
+  std::vector<SampleSums> sums;
   std::vector<int> entryCounts;
   std::vector<int> points;
   std::vector<double> entries;
@@ -401,18 +406,22 @@ std::vector<int> SurfaceGrid::Splatter::Cut()
       touched[part.box] = 1;
     }
   }
-  std::vector<int> cells;
+  std::vector<double> own;
   for (std::size_t box = 0; box < touched.size(); ++box)
   {
     if (touched[box])
     {
-      cells.push_back(static_cast<int>(box));
+      own.push_back(static_cast<double>(box));
     }
   }
-  return cells;
+  std::vector<double> all = this->Grid.Everybody.Concatenate(own);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return { all.begin(), all.end() };
 }
 
-void SurfaceGrid::Splatter::SumSubCell(const Part* begin, const Part* end, Samples& samples) const
+void SurfaceGrid::Splatter::SumSubCell(
+  double number, const Part* begin, const Part* end, Samples& samples) const
 {
   double weight = 0.0;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
@@ -485,17 +494,23 @@ void SurfaceGrid::Splatter::SumSubCell(const Part* begin, const Part* end, Sampl
     samples.entries.resize(4 * first);
     return;
   }
-  place /= weight;
-  ++samples.numbers.back();
-  samples.weights.push_back(weight);
-  samples.places.push_back(place);
-  samples.areaVectors.push_back(areaVector);
-  samples.tangents.push_back(tangent);
-  samples.spreads.emplace_back(square / weight - place * place.transpose());
+  SampleSums sums = { number, weight };
+  std::copy_n(place.data(), 3, sums.begin() + 2);
+  std::copy_n(areaVector.data(), 3, sums.begin() + 5);
+  std::copy_n(tangent.data(), 6, sums.begin() + 8);
+  for (int row = 0, at = 14; row < 3; ++row)
+  {
+    for (int column = row; column < 3; ++column)
+    {
+      sums[at++] = square(row, column);
+    }
+  }
+  samples.sums.push_back(sums);
   samples.entryCounts.push_back(static_cast<int>(samples.points.size() - first));
 }
 
-void SurfaceGrid::Splatter::SumCell(const Part* begin, const Part* end, Samples& samples) const
+void SurfaceGrid::Splatter::SumCell(
+  int cell, const Part* begin, const Part* end, Samples& samples) const
 {
   std::array<int, SubCellsOfCell + 1> first = {};
   for (const Part* part = begin; part != end; ++part)
@@ -512,12 +527,11 @@ void SurfaceGrid::Splatter::SumCell(const Part* begin, const Part* end, Samples&
   {
     samples.sorted[next[part->subCell]++] = *part;
   }
-  samples.numbers.push_back(0);
   for (int sub = 0; sub < SubCellsOfCell; ++sub)
   {
     if (first[sub] < first[sub + 1])
     {
-      this->SumSubCell(
+      this->SumSubCell(static_cast<double>(cell) * SubCellsOfCell + sub,
         samples.sorted.data() + first[sub], samples.sorted.data() + first[sub + 1], samples);
     }
   }
@@ -556,52 +570,109 @@ void SurfaceGrid::Splatter::Sum(const std::vector<int>& cells)
       const int end = std::min(count, (task + 1) * CellsOfTask);
       for (int c = task * CellsOfTask; c < end; ++c)
       {
-        this->SumCell(sorted.data() + first[c], sorted.data() + first[c + 1], tasks[task]);
+        this->SumCell(c, sorted.data() + first[c], sorted.data() + first[c + 1], tasks[task]);
       }
       std::vector<Part>().swap(tasks[task].sorted);
     });
 
-  std::size_t samples = 0;
-  std::size_t entries = 0;
-  for (const Samples& task : tasks)
-  {
-    samples += task.weights.size();
-    entries += task.points.size();
-  }
-  grid.FirstSample = { 0 };
-  grid.Weights.resize(static_cast<Eigen::Index>(samples));
-  grid.Places.resize(static_cast<Eigen::Index>(samples), 3);
-  grid.AreaVectors.resize(static_cast<Eigen::Index>(samples), 3);
-  grid.Tangents.resize(static_cast<Eigen::Index>(samples), 6);
-  grid.Spreads.clear();
-  grid.Spreads.reserve(samples);
-  grid.FirstEntry = { 0 };
+  std::vector<SampleSums> sums;
+  std::vector<int> counts; // of entries, of each of these
   grid.EntryPoints.clear();
-  grid.EntryPoints.reserve(entries);
   grid.Entries.clear();
-  grid.Entries.reserve(4 * entries);
-  grid.Locals.resize(static_cast<Eigen::Index>(samples), 3);
-  Eigen::Index k = 0;
   for (Samples& task : tasks)
   {
-    for (const int number : task.numbers)
-    {
-      grid.FirstSample.push_back(grid.FirstSample.back() + number);
-    }
-    for (std::size_t i = 0; i < task.weights.size(); ++i, ++k)
-    {
-      grid.Weights(k) = task.weights[i];
-      grid.Places.row(k) = task.places[i];
-      grid.AreaVectors.row(k) = task.areaVectors[i];
-      grid.Tangents.row(k) = Eigen::Map<const Eigen::Matrix<double, 1, 6>>(task.tangents[i].data());
-      grid.Spreads.push_back(task.spreads[i]);
-      grid.FirstEntry.push_back(grid.FirstEntry.back() + task.entryCounts[i]);
-    }
+    sums.insert(sums.end(), task.sums.begin(), task.sums.end());
+    counts.insert(counts.end(), task.entryCounts.begin(), task.entryCounts.end());
     grid.EntryPoints.insert(grid.EntryPoints.end(), task.points.begin(), task.points.end());
     grid.Entries.insert(grid.Entries.end(), task.entries.begin(), task.entries.end());
     task = {};
   }
+  const std::vector<std::size_t> merged = this->Merge(sums);
+  this->TakeSums(sums, cells.size());
+  grid.FirstEntry.assign(sums.size() + 1, 0);
+  for (std::size_t k = 0; k < merged.size(); ++k)
+  {
+    grid.FirstEntry[merged[k] + 1] = counts[k];
+  }
+  std::partial_sum(grid.FirstEntry.begin(), grid.FirstEntry.end(), grid.FirstEntry.begin());
   this->PlaceInCells(cells);
+}
+
+/// Makes of the sums of this process those of all. @return where its own have gone, ascending
+std::vector<std::size_t> SurfaceGrid::Splatter::Merge(std::vector<SampleSums>& sums) const
+{
+  std::vector<std::size_t> merged(sums.size());
+  std::iota(merged.begin(), merged.end(), std::size_t(0));
+  if (this->Grid.Everybody.IsWhole())
+  {
+    return merged;
+  }
+  std::vector<double> numbers(NumbersOfSample * sums.size());
+  for (std::size_t k = 0; k < sums.size(); ++k)
+  {
+    std::copy(sums[k].begin(), sums[k].end(),
+      numbers.begin() + static_cast<std::ptrdiff_t>(NumbersOfSample * k));
+  }
+  numbers = this->Grid.Everybody.Concatenate(numbers);
+  std::vector<SampleSums> all(numbers.size() / NumbersOfSample);
+  for (std::size_t k = 0; k < all.size(); ++k)
+  {
+    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(NumbersOfSample * k), NumbersOfSample,
+      all[k].begin());
+  }
+  std::stable_sort(
+    all.begin(), all.end(), [](const SampleSums& a, const SampleSums& b) { return a[0] < b[0]; });
+  std::vector<SampleSums> joined;
+  for (const SampleSums& one : all)
+  {
+    if (joined.empty() || joined.back()[0] != one[0])
+    {
+      joined.push_back(one);
+      continue;
+    }
+    std::transform(one.begin() + 1, one.end(), joined.back().begin() + 1, joined.back().begin() + 1,
+      [](double a, double b) { return b + a; });
+  }
+  for (std::size_t k = 0, at = 0; k < sums.size(); ++k)
+  {
+    while (joined[at][0] != sums[k][0])
+    {
+      ++at;
+    }
+    merged[k] = at;
+  }
+  sums = std::move(joined);
+  return merged;
+}
+
+/// The samples, by cells. @param cells  number of the active ones
+void SurfaceGrid::Splatter::TakeSums(const std::vector<SampleSums>& sums, std::size_t cells)
+{
+  SurfaceGrid& grid = this->Grid;
+  const auto samples = static_cast<Eigen::Index>(sums.size());
+  grid.Weights.resize(samples);
+  grid.Places.resize(samples, 3);
+  grid.AreaVectors.resize(samples, 3);
+  grid.Tangents.resize(samples, 6);
+  grid.Locals.resize(samples, 3);
+  grid.Spreads.clear();
+  grid.Spreads.reserve(sums.size());
+  grid.FirstSample.assign(cells + 1, 0);
+  for (Eigen::Index k = 0; k < samples; ++k)
+  {
+    const double* of = sums[k].data();
+    const double weight = of[1];
+    const Eigen::Vector3d place = Eigen::Map<const Eigen::Vector3d>(of + 2) / weight;
+    Eigen::Matrix3d square;
+    square << of[14], of[15], of[16], of[15], of[17], of[18], of[16], of[18], of[19];
+    ++grid.FirstSample[static_cast<std::size_t>(of[0]) / SubCellsOfCell + 1];
+    grid.Weights(k) = weight;
+    grid.Places.row(k) = place;
+    grid.AreaVectors.row(k) = Eigen::Map<const Eigen::RowVector3d>(of + 5);
+    grid.Tangents.row(k) = Eigen::Map<const Eigen::Matrix<double, 1, 6>>(of + 8);
+    grid.Spreads.emplace_back(square / weight - place * place.transpose());
+  }
+  std::partial_sum(grid.FirstSample.begin(), grid.FirstSample.end(), grid.FirstSample.begin());
 }
 
 void SurfaceGrid::Splatter::PlaceInCells(const std::vector<int>& cells)
@@ -624,11 +695,14 @@ void SurfaceGrid::Splatter::PlaceInCells(const std::vector<int>& cells)
 }
 
 //------------------------------------------------------------------------------------------------
-SurfaceGrid::SurfaceGrid(const Points& P, const Triangles& F, double size, int threads)
-  : Size(size)
+SurfaceGrid::SurfaceGrid(
+  const Points& P, const Triangles& F, double size, int threads, const SurfacePart& part)
+  : Everybody(part.Apart())
+  , Size(size)
   , Spacing(size / SpacingsPerSize)
 {
-  const Eigen::RowVector3d extent = P.cwiseAbs().colwise().maxCoeff();
+  const auto [low, high] = BoundsOf(P, part);
+  const Eigen::RowVector3d extent = low.cwiseAbs().cwiseMax(high.cwiseAbs());
   for (;;)
   {
     this->PerSpacing = 1.0 / this->Spacing;
@@ -1016,9 +1090,10 @@ Fields SurfaceGrid::Means(const Fields& X, int threads) const
           means.row(k) +=
             this->Entries[4 * static_cast<std::size_t>(e)] * X.row(this->EntryPoints[e]);
         }
-        means.row(k) /= this->Weights(k);
       }
     });
+  this->Everybody.Sum(means);
+  means.array().colwise() /= this->Weights.array();
   return means;
 }
 
@@ -1037,10 +1112,11 @@ Fields SurfaceGrid::Gradients(const Points& X, int threads) const
             this->Entries.data() + 4 * static_cast<std::size_t>(e) + 1);
           G += X.row(this->EntryPoints[e]).transpose() * gradient;
         }
-        G /= this->Weights(k);
         gradients.row(k) << G.row(0), G.row(1), G.row(2);
       }
     });
+  this->Everybody.Sum(gradients);
+  gradients.array().colwise() /= this->Weights.array();
   return gradients;
 }
 

@@ -7,7 +7,7 @@
 #define SphericalStyle_SurfaceGrid_h
 
 #include "SparseCholesky.h"
-#include "TriangleMesh.h"
+#include "SurfacePart.h"
 
 #include <array>
 
@@ -48,9 +48,16 @@ struct GridPair
 ///
 /// Sample: a field is the sum of 27 products at any place near the surface.
 ///
+/// Of a surface that is spread over processes each cuts its own triangles; samples are added up
+/// over the processes, in their order, so that grid, samples, matrix and coefficients are the same
+/// on all of them, and points are those of this process alone. The constructor, Means and Gradients
+/// are to be called by all processes.
+///
 /// The origin, the middle of the bounds of a mesh in its Frame, is the middle of a cell and of a
 /// sub-cell: a mirror image gets the mirrored grid. Results have the same bits for any number of
 /// threads.
+///
+/// Processes send 20 numbers a sample to build a grid, and the rows of Means and Gradients.
 ///
 /// Cost: one pass over the triangles; then for G functions (about 10 area / h^2) their factor,
 /// about G^1.5, and about 45 bytes a point.
@@ -67,7 +74,8 @@ public:
   /// Splats the triangles. @param P  n x 3, in the frame @param F  m x 3, m > 0; those without area
   /// do not count
   /// @param size  s, above 0; fraction of the diagonal, as the frame's is 1
-  SurfaceGrid(const Points& P, const Triangles& F, double size, int threads);
+  SurfaceGrid(
+    const Points& P, const Triangles& F, double size, int threads, const SurfacePart& part = {});
 
   /// A_s, and its factor. The ridge is that of the sum without pairs. @param pairs  no more than
   /// three cells apart; those of the same two different cells count as one at their mean places.
@@ -127,6 +135,7 @@ private:
   template <typename Placing>
   Fields Evaluate(const Fields& coefficients, int count, const Placing& locate, int threads) const;
 
+  SurfacePart Everybody; // the processes
   double Size = 0.0;
   double Spacing = 0.0;
   double PerSpacing = 0.0;

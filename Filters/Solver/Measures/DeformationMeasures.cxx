@@ -33,7 +33,8 @@ Points CotangentLaplacianVectors(const Points& P, const Triangles& F, const Half
 }
 }
 
-Matrices SurfaceRotations(const TriangleMesh& rest, const Points& deformed, int threads)
+Matrices SurfaceRotations(
+  const TriangleMesh& rest, const Points& deformed, int threads, const SurfacePart& part)
 {
   const HalfEdgeScalars c = HalfEdgeCotangents(rest.P, rest.F);
   Matrices S(rest.P.rows(), Eigen::Matrix3d::Zero());
@@ -52,6 +53,7 @@ Matrices SurfaceRotations(const TriangleMesh& rest, const Points& deformed, int 
       S[rest.F(f, k)] += sum;
     }
   }
+  part.SumAtShared(S.empty() ? nullptr : S.front().data(), 9);
   Matrices R(S.size(), Eigen::Matrix3d::Identity());
   FitRotations(S, R, threads);
   return R;

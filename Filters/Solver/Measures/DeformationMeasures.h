@@ -7,6 +7,7 @@
 #define SphericalStyle_DeformationMeasures_h
 
 #include "MeshEdges.h"
+#include "SurfacePart.h"
 
 namespace SphericalStyle
 {
@@ -14,7 +15,8 @@ namespace SphericalStyle
 /// triangles at it, each by half its cotangents as in [local] but with no sphere. The solver's own
 /// rotations are not that: they turn edges and targets together, and stay near the identity
 /// [blend].
-Matrices SurfaceRotations(const TriangleMesh& rest, const Points& deformed, int threads);
+Matrices SurfaceRotations(
+  const TriangleMesh& rest, const Points& deformed, int threads, const SurfacePart& part = {});
 
 /// Flags of the triangles whose normal after the deformation points against the normal before,
 /// turned by the mean of the rotations at the corners. A triangle that lost its area (1e-9 of it is

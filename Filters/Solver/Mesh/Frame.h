@@ -5,7 +5,7 @@
 #ifndef SphericalStyle_Frame_h
 #define SphericalStyle_Frame_h
 
-#include "TriangleMesh.h"
+#include "SurfacePart.h"
 
 #include <cmath>
 
@@ -33,10 +33,9 @@ struct Frame
 };
 
 /// Origin in the middle of the bounds. @throw std::invalid_argument when they have no extent
-inline Frame FrameOf(const Points& P)
+inline Frame FrameOf(const Points& P, const SurfacePart& part = {})
 {
-  const Eigen::RowVector3d low = P.colwise().minCoeff();
-  const Eigen::RowVector3d high = P.colwise().maxCoeff();
+  const auto [low, high] = BoundsOf(P, part);
   Frame frame;
   frame.origin = 0.5 * low + 0.5 * high;
   frame.scale = (0.5 * high - 0.5 * low).stableNorm() * 2.0;

@@ -24,7 +24,7 @@ public:
   template <typename Make>
   bool Update(Key key, const Make& make)
   {
-    if (this->IsMade && this->MadeFor == key)
+    if (this->Has(key))
     {
       return false;
     }
@@ -35,6 +35,9 @@ public:
     this->IsMade = true;
     return true;
   }
+
+  /// Whether the value has been made for an equal key.
+  bool Has(const Key& key) const { return this->IsMade && this->MadeFor == key; }
 
   /// The next Update makes the value anew. Its memory is kept until then.
   void Forget() noexcept

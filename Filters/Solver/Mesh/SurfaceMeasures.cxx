@@ -83,15 +83,33 @@ double SolidAngle(const Points& P, const Triangles& F, Eigen::Index f, const Eig
   return 2.0 * std::atan2(TripleProduct(P, F, f, O), below);
 }
 
-double EnclosedVolume(const Points& P, const Triangles& F)
+Eigen::Vector3d PointMean(const Points& P, const SurfacePart& part)
 {
-  const Eigen::Vector3d apex = P.colwise().mean();
+  if (part.IsWhole())
+  {
+    return P.colwise().mean();
+  }
+  Eigen::Vector4d sums = Eigen::Vector4d::Zero();
+  for (Eigen::Index i = 0; i < P.rows(); ++i)
+  {
+    if (part.Counts(i))
+    {
+      sums += P.row(i).transpose().homogeneous();
+    }
+  }
+  part.Sum(sums);
+  return sums.head<3>() / sums(3);
+}
+
+double EnclosedVolume(const Points& P, const Triangles& F, const SurfacePart& part)
+{
+  const Eigen::Vector3d apex = PointMean(P, part);
   double volume = 0.0;
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
     volume += AreaVector(P, F, f).dot(P.row(F(f, 0)).transpose() - apex) / 3.0;
   }
-  return volume;
+  return part.Sum(volume);
 }
 
 double BallRadius(double volume)
@@ -99,21 +117,26 @@ double BallRadius(double volume)
   return std::cbrt(std::abs(volume) * 3.0 / (4.0 * Pi));
 }
 
-double VolumeAmbiguity(const Points& P, const Triangles& F)
+double VolumeAmbiguity(const Points& P, const Triangles& F, const SurfacePart& part)
 {
-  const Points unit = AtUnitSize(P);
+  const auto [low, high] = BoundsOf(P, part);
+  const Points unit = UnitScale(low.cwiseAbs().cwiseMax(high.cwiseAbs())) * P;
   Eigen::Vector3d area = Eigen::Vector3d::Zero();
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
     area += AreaVector(unit, F, f);
   }
-  return area.norm() / (4.0 * Pi * std::pow(BallRadius(EnclosedVolume(unit, F)), 2));
+  part.Sum(area);
+  return area.norm() / (4.0 * Pi * std::pow(BallRadius(EnclosedVolume(unit, F, part)), 2));
 }
 
-Eigen::Vector3d AreaCentroid(const Points& P, const Triangles& F)
+Eigen::Vector3d AreaCentroid(const Points& P, const Triangles& F, const SurfacePart& part)
 {
   const Eigen::VectorXd area = PointAreas(P, F);
-  return (P.transpose() * area) / area.sum();
+  Eigen::Vector4d sums;
+  sums << P.transpose() * area, area.sum();
+  part.Sum(sums);
+  return sums.head<3>() / sums(3);
 }
 
 Points TriangleNormals(const Points& P, const Triangles& F)
@@ -127,7 +150,15 @@ Points TriangleNormals(const Points& P, const Triangles& F)
   return normals;
 }
 
-Points PointNormals(const Points& P, const Triangles& F)
+Points PointNormals(const Points& P, const Triangles& F, const SurfacePart& part)
+{
+  Points normals = PointNormalSums(P, F);
+  part.SumAtShared(normals.data(), 3);
+  NormalizeSums(normals);
+  return normals;
+}
+
+Points PointNormalSums(const Points& P, const Triangles& F)
 {
   const Points unit = AtUnitSize(P);
   Points normals = Points::Zero(P.rows(), 3);
@@ -146,6 +177,11 @@ Points PointNormals(const Points& P, const Triangles& F)
       normals.row(F(f, k)) += std::atan2(2.0 * size, x.dot(y)) / size * area.transpose();
     }
   }
+  return normals;
+}
+
+void NormalizeSums(Points& normals)
+{
   for (Eigen::Index i = 0; i < normals.rows(); ++i)
   {
     // The sum has the size of an angle: far below that, the triangles cancel.
@@ -159,7 +195,6 @@ Points PointNormals(const Points& P, const Triangles& F)
       normals.row(i).setZero();
     }
   }
-  return normals;
 }
 
 double Sphericity(const Points& P, const Triangles& F)

@@ -5,7 +5,7 @@
 #ifndef SphericalStyle_SurfaceMeasures_h
 #define SphericalStyle_SurfaceMeasures_h
 
-#include "TriangleMesh.h"
+#include "SurfacePart.h"
 
 namespace SphericalStyle
 {
@@ -20,13 +20,15 @@ Points AtUnitSize(const Points& P);
 Eigen::VectorXd TriangleAreas(const Points& P, const Triangles& F);
 /// n lumped areas: a third of each triangle to each corner, length^2. They sum to the surface area.
 Eigen::VectorXd PointAreas(const Points& P, const Triangles& F);
+/// Mean of the points.
+Eigen::Vector3d PointMean(const Points& P, const SurfacePart& part = {});
 /// Signed volume of a closed surface, positive when oriented outward; for an open one, of the cones
 /// from the mean point to its triangles. length^3.
-double EnclosedVolume(const Points& P, const Triangles& F);
+double EnclosedVolume(const Points& P, const Triangles& F, const SurfacePart& part = {});
 /// By which share that volume changes where the apex moves by r, the radius of the ball of the same
 /// volume: |sum of the area vectors| r / (3 V), which is |sum| / (4 pi r^2). 0 for what is closed
 /// and faces one way all over, about a half for half a sphere, infinite for a flat sheet.
-double VolumeAmbiguity(const Points& P, const Triangles& F);
+double VolumeAmbiguity(const Points& P, const Triangles& F, const SurfacePart& part = {});
 /// Radius of the ball of that volume, whatever its sign.
 double BallRadius(double volume);
 /// Six times the signed volume of the tetrahedron of triangle f and an apex, length^3: its sum over
@@ -37,12 +39,16 @@ double TripleProduct(const Points& P, const Triangles& F, Eigen::Index f, const 
 /// times how often the surface goes around O.
 double SolidAngle(const Points& P, const Triangles& F, Eigen::Index f, const Eigen::Vector3d& O);
 /// Mean of the triangles' centroids, weighted by their areas.
-Eigen::Vector3d AreaCentroid(const Points& P, const Triangles& F);
+Eigen::Vector3d AreaCentroid(const Points& P, const Triangles& F, const SurfacePart& part = {});
 /// m x 3 unit normals of the triangles, at any size; 0 where there is no area.
 Points TriangleNormals(const Points& P, const Triangles& F);
 /// n x 3 unit normals, triangle normals weighted by the angle at the point (Thuermer, Wuethrich,
 /// Computing vertex normals from polygonal facets, 1998), at any size; 0 where they cancel.
-Points PointNormals(const Points& P, const Triangles& F);
+Points PointNormals(const Points& P, const Triangles& F, const SurfacePart& part = {});
+/// The sums of which PointNormals takes the directions, where triangles elsewhere add to them.
+Points PointNormalSums(const Points& P, const Triangles& F);
+/// Makes directions of them.
+void NormalizeSums(Points& sums);
 
 /// Sphericity pi^(1/3) (6 V)^(2/3) / A: 1 for a ball, less for all else. [measures]
 double Sphericity(const Points& P, const Triangles& F);

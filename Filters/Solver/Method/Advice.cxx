@@ -3,9 +3,11 @@
 #include "Advice.h"
 
 #include "DeformationMeasures.h"
+#include "MeshDiagnosis.h"
 #include "MeshQuality.h"
 #include "Parallel.h"
 #include "SurfaceMeasures.h"
+#include "UnitScale.h"
 
 #include <Eigen/Geometry>
 
@@ -44,10 +46,11 @@ constexpr int Enough = 20000;
 
 /// Sum of item(f) over every `step`-th triangle f.
 template <typename Item>
-Sums SumTriangles(const TriangleMesh& mesh, int step, int threads, const Item& item)
+Sums SumTriangles(
+  const TriangleMesh& mesh, const SurfacePart& part, int step, int threads, const Item& item)
 {
   const auto count = (static_cast<int>(mesh.F.rows()) + step - 1) / step;
-  return ParallelSum(count, threads, Sums(Sums::Zero()),
+  Sums all = ParallelSum(count, threads, Sums(Sums::Zero()),
     [&item, step](int begin, int end)
     {
       Sums sum = Sums::Zero();
@@ -57,16 +60,18 @@ Sums SumTriangles(const TriangleMesh& mesh, int step, int threads, const Item& i
       }
       return sum;
     });
+  part.Sum(all);
+  return all;
 }
 
 /// So that about Enough triangles are looked at; odd, for cells often come in pairs.
-int StepOf(const TriangleMesh& mesh)
+int StepOf(const TriangleMesh& mesh, const SurfacePart& part)
 {
-  return static_cast<int>(mesh.F.rows()) / Enough | 1;
+  return static_cast<int>(part.Sum(static_cast<double>(mesh.F.rows())) / Enough) | 1;
 }
 
-void MeasureCenter(
-  const TriangleMesh& mesh, const Eigen::Vector3d& O, int threads, ResultFacts& facts)
+void MeasureCenter(const TriangleMesh& mesh, const SurfacePart& part, const Eigen::Vector3d& O,
+  int threads, ResultFacts& facts)
 {
   const auto measure = [&](int f) -> Sums
   {
@@ -78,19 +83,19 @@ void MeasureCenter(
     return { SolidAngle(mesh.P, mesh.F, f, O), product, product < 0.0 ? area : 0.0,
       product < 0.0 ? 0.0 : area };
   };
-  const int step = StepOf(mesh);
-  Sums sums = SumTriangles(mesh, step, threads, measure);
+  const int step = StepOf(mesh, part);
+  Sums sums = SumTriangles(mesh, part, step, threads, measure);
   const double away = sums[1] < 0.0 ? sums[3] : sums[2]; // inside out
   facts.facingAwayShare = away / (sums[2] + sums[3]);
   // The sum is a multiple of 4 pi if the surface is closed, and 0 from outside.
   if (step > 1 && std::abs(step * sums[0]) < Pi)
   {
-    sums = SumTriangles(mesh, 1, threads, measure);
+    sums = SumTriangles(mesh, part, 1, threads, measure);
   }
   facts.centerOutside = std::abs(sums[0]) < 1e-6 && sums[1] != 0.0;
 }
 
-bool ManyTurned(const TriangleMesh& mesh, const Points& Q, int threads)
+bool ManyTurned(const TriangleMesh& mesh, const SurfacePart& part, const Points& Q, int threads)
 {
   const auto normal = [&mesh](const Points& x, int f) -> Eigen::Vector3d
   {
@@ -99,7 +104,7 @@ bool ManyTurned(const TriangleMesh& mesh, const Points& Q, int threads)
     const Eigen::Vector3d c = x.row(mesh.F(f, 2));
     return (b - a).cross(c - a);
   };
-  const Sums sums = SumTriangles(mesh, StepOf(mesh), threads,
+  const Sums sums = SumTriangles(mesh, part, StepOf(mesh, part), threads,
     [&](int f) -> Sums {
       return { normal(mesh.P, f).dot(normal(Q, f)) < 0.0 ? 1.0 : 0.0, 1.0, 0.0, 0.0 };
     });
@@ -107,10 +112,10 @@ bool ManyTurned(const TriangleMesh& mesh, const Points& Q, int threads)
 }
 
 /// Half-edges within the part of one center.
-double MeasureRelief(
-  const TriangleMesh& mesh, const Points& Q, const StyleOptions& o, const StyleReport& report)
+double MeasureRelief(const TriangleMesh& mesh, const SurfacePart& part, const Points& Q,
+  const StyleOptions& o, const StyleReport& report)
 {
-  const auto part = [&o](int i) { return o.centerIds.empty() ? 0 : o.centerIds[i]; };
+  const auto center = [&o](int i) { return o.centerIds.empty() ? 0 : o.centerIds[i]; };
   const auto distances = [&](const Points& x)
   {
     Eigen::VectorXd distance(x.rows());
@@ -119,14 +124,14 @@ double MeasureRelief(
       {
         for (int i = begin; i < end; ++i)
         {
-          distance(i) = (x.row(i).transpose() - report.spheres[part(i)].center).norm();
+          distance(i) = (x.row(i).transpose() - report.spheres[center(i)].center).norm();
         }
       });
     return distance;
   };
   const Eigen::VectorXd before = distances(mesh.P);
   const Eigen::VectorXd after = distances(Q);
-  const Sums sums = SumTriangles(mesh, 1, o.threads,
+  const Sums sums = SumTriangles(mesh, part, 1, o.threads,
     [&](int f)
     {
       Sums sum = Sums::Zero();
@@ -134,7 +139,7 @@ double MeasureRelief(
       {
         const int u = mesh.F(f, HalfEdgeStart(k));
         const int v = mesh.F(f, HalfEdgeEnd(k));
-        if (part(u) == part(v))
+        if (center(u) == center(v))
         {
           sum[0] += (before(u) - before(v)) * (before(u) - before(v));
           sum[1] += (after(u) - after(v)) * (after(u) - after(v));
@@ -147,34 +152,49 @@ double MeasureRelief(
 
 /// Sum over the points of |2 pi - their angles| over 4 pi. Points on a border do not count: their
 /// triangles are no full turn, and then the numbers of the points around do not cancel.
-double AbsoluteCurvature(const TriangleMesh& mesh, const Eigen::VectorXd& angleSums)
+double AbsoluteCurvature(
+  const TriangleMesh& mesh, const SurfacePart& part, Eigen::VectorXd& angleSums)
 {
-  std::vector<long long> balance(mesh.P.rows(), 0);
+  // Another number for each point, the same on all processes.
+  Eigen::VectorXd number(mesh.P.rows());
+  const double first =
+    part.IsWhole() ? 0.0 : MostTriangles * static_cast<double>(part.processes->GetRank());
+  for (Eigen::Index i = 0; i < number.size(); ++i)
+  {
+    number(i) = first + static_cast<double>(i);
+  }
+  for (std::size_t k = 0; k < part.shared.size(); ++k)
+  {
+    number(part.shared[k]) = -1.0 - part.numbers[k];
+  }
+  Eigen::VectorXd balance = Eigen::VectorXd::Zero(mesh.P.rows());
   for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
-      balance[mesh.F(f, k)] += mesh.F(f, HalfEdgeEnd(k)) - mesh.F(f, HalfEdgeStart(k));
+      balance(mesh.F(f, k)) +=
+        number(mesh.F(f, HalfEdgeEnd(k))) - number(mesh.F(f, HalfEdgeStart(k)));
     }
   }
+  part.SumAtShared(balance.data(), 1);
+  part.SumAtShared(angleSums.data(), 1);
   double sum = 0.0;
   for (Eigen::Index i = 0; i < angleSums.size(); ++i)
   {
-    sum += balance[i] == 0 && angleSums(i) > 0.0 ? std::abs(2.0 * Pi - angleSums(i)) : 0.0;
+    sum += balance(i) == 0.0 && angleSums(i) > 0.0 && part.Counts(i)
+      ? std::abs(2.0 * Pi - angleSums(i))
+      : 0.0;
   }
-  return sum / (4.0 * Pi);
+  return part.Sum(sum) / (4.0 * Pi);
 }
 }
 
-double LongEdgeShare(const TriangleMesh& mesh)
+double LongEdgeShare(const TriangleMesh& mesh, const SurfacePart& part)
 {
-  if (mesh.F.rows() == 0)
-  {
-    return 0.0;
-  }
-  const Points P = AtUnitSize(mesh.P);
-  const double long2 =
-    LongEdge * LongEdge * (P.colwise().maxCoeff() - P.colwise().minCoeff()).squaredNorm();
+  const auto [low, high] = BoundsOf(mesh.P, part);
+  const double unit = UnitScale(low.cwiseAbs().cwiseMax(high.cwiseAbs()));
+  const Points P = unit * mesh.P;
+  const double long2 = LongEdge * LongEdge * (unit * high - unit * low).squaredNorm();
   double all = 0.0;
   double coarse = 0.0;
   for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
@@ -188,10 +208,12 @@ double LongEdgeShare(const TriangleMesh& mesh)
       ? area
       : 0.0;
   }
+  all = part.Sum(all);
+  coarse = part.Sum(coarse);
   return all > 0.0 ? coarse / all : 0.0;
 }
 
-SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components)
+SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components, const SurfacePart& part)
 {
   const Points& P = mesh.P;
   const Triangles& F = mesh.F;
@@ -210,32 +232,32 @@ SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components)
     }
     facts.obtuseShare += obtuse;
   }
-  facts.obtuseShare /= static_cast<double>(F.rows());
-  facts.longEdgeShare = LongEdgeShare(mesh);
-  facts.areaFactor = std::exp(LogSpread(areas));
-  facts.curvature = AbsoluteCurvature(mesh, angleSums);
+  facts.obtuseShare = part.Sum(facts.obtuseShare) / part.Sum(static_cast<double>(F.rows()));
+  facts.longEdgeShare = LongEdgeShare(mesh, part);
+  facts.areaFactor = part.IsWhole() ? std::exp(LogSpread(areas)) : 1.0;
+  facts.curvature = AbsoluteCurvature(mesh, part, angleSums);
   facts.components = components;
   return facts;
 }
 
-ResultFacts MeasureResult(
-  const TriangleMesh& mesh, const Points& Q, const MethodOptions& o, const StyleReport& report)
+ResultFacts MeasureResult(const TriangleMesh& mesh, const Points& Q, const MethodOptions& o,
+  const StyleReport& report, const SurfacePart& part)
 {
   ResultFacts facts;
   // Several need not be star-shaped around any; with normals limbs are round by themselves.
-  if (report.spheres.size() == 1 && (!o.UsesNormals() || o.centerMode == CenterMode::Custom))
+  if (report.spheres.size() == 1 && (!o.UsesNormals(part) || o.centerMode == CenterMode::Custom))
   {
-    MeasureCenter(mesh, report.sphere.center, o.threads, facts);
+    MeasureCenter(mesh, part, report.sphere.center, o.threads, facts);
   }
-  if (ManyTurned(mesh, Q, o.threads))
+  if (ManyTurned(mesh, part, Q, o.threads))
   {
-    const Matrices R = SurfaceRotations(mesh, Q, o.threads);
-    facts.turnedOverShare = static_cast<double>(CountTurnedOver(mesh.P, Q, mesh.F, R)) /
-      static_cast<double>(mesh.F.rows());
+    const Matrices R = SurfaceRotations(mesh, Q, o.threads, part);
+    facts.turnedOverShare = part.Sum(static_cast<double>(CountTurnedOver(mesh.P, Q, mesh.F, R))) /
+      part.Sum(static_cast<double>(mesh.F.rows()));
   }
   if (o.detailSize == 0.0)
   {
-    facts.relief = MeasureRelief(mesh, Q, o, report);
+    facts.relief = MeasureRelief(mesh, part, Q, o, report);
   }
   return facts;
 }

@@ -25,9 +25,11 @@ constexpr double LongEdge = 0.1;
 /// %, drawings of cars and devices half and more.
 constexpr double CoarseShare = 0.1;
 /// SurfaceFacts::longEdgeShare alone; 0 without triangles.
-double LongEdgeShare(const TriangleMesh& mesh);
+double LongEdgeShare(const TriangleMesh& mesh, const SurfacePart& part = {});
 /// @param components  of the mesh: StyleReport::components
-SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components);
+/// @param part  of a surface that is spread over processes, all of which call this and
+/// MeasureResult; its areaFactor is not looked for
+SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components, const SurfacePart& part = {});
 
 /// What matters of a result. Shares are 0..1.
 struct ResultFacts
@@ -42,8 +44,8 @@ struct ResultFacts
   double relief = 1.0;
 };
 /// @param Q  the points of the result @param o, report  those of the solve that led there
-ResultFacts MeasureResult(
-  const TriangleMesh& mesh, const Points& Q, const MethodOptions& o, const StyleReport& report);
+ResultFacts MeasureResult(const TriangleMesh& mesh, const Points& Q, const MethodOptions& o,
+  const StyleReport& report, const SurfacePart& part = {});
 
 /// The one change that helps most, and the fact that says so, as "Property Value: fact", in one
 /// line. Empty where nothing is to be said, as with lambda 0.

@@ -49,16 +49,19 @@ void SphericalStyleMethod::SetMesh(const TriangleMesh& mesh)
   this->SetMesh(std::make_shared<const TriangleMesh>(mesh));
 }
 
-void SphericalStyleMethod::SetMesh(std::shared_ptr<const TriangleMesh> mesh)
+void SphericalStyleMethod::SetMesh(std::shared_ptr<const TriangleMesh> mesh, SurfacePart part)
 {
-  if (mesh->F.rows() == 0)
+  if (part.Max(mesh->F.rows() > 0 ? 1.0 : 0.0) == 0.0)
   {
     throw std::invalid_argument("the mesh has no triangle");
   }
-  if (this->Mesh && Equal(*this->Mesh, *mesh))
+  const bool equal =
+    this->Mesh && this->Part.IsWhole() == part.IsWhole() && Equal(*this->Mesh, *mesh);
+  if (part.Max(equal ? 0.0 : 1.0) == 0.0)
   {
     this->Mesh = std::move(mesh); // it may be the only one left
-    this->Closed.SetEqualMesh(this->P, this->Mesh->F);
+    this->Part = std::move(part);
+    this->Closed.SetEqualMesh(this->P, this->Mesh->F, this->Part);
     return;
   }
   if (!mesh->P.allFinite())
@@ -67,9 +70,10 @@ void SphericalStyleMethod::SetMesh(std::shared_ptr<const TriangleMesh> mesh)
   }
   ++this->MeshGeneration;
   this->Mesh.reset();
-  this->MeshFrame = FrameOf(mesh->P);
+  this->Part = std::move(part);
+  this->MeshFrame = FrameOf(mesh->P, this->Part);
   this->P = this->MeshFrame.Into(mesh->P);
-  this->Closed.SetMesh(this->P, mesh->F);
+  this->Closed.SetMesh(this->P, mesh->F, this->Part);
   this->Mesh = std::move(mesh); // last: should a line above throw, the next mesh is another one
 }
 
@@ -127,9 +131,10 @@ void SphericalStyleMethod::SolveClosedForm(
     sphere.radius *= frame.scale;
   }
   report.sphere = report.spheres.front();
-  const bool nothing =
-    o.lambda == 0.0 || (o.roundnessFactors.size() > 0 && o.roundnessFactors.maxCoeff() == 0.0);
-  if (nothing) // to the bit
+  const double most = o.roundnessFactors.size() > 0 ? o.roundnessFactors.maxCoeff()
+    : this->P.rows() > 0                            ? 1.0
+                                                    : 0.0;
+  if (o.lambda * this->Part.Max(most) == 0.0) // to the bit
   {
     this->Positions = this->Mesh->P;
     this->HoldFixedPoints(o);

@@ -38,9 +38,11 @@ class SphericalStyleMethod
 {
 public:
   /// Takes the mesh; an equal one changes nothing.
+  /// @param part  of a surface that is spread over processes, whose closed form alone is there
+  /// then; where one process fails, all need a new SphericalStyleMethod
   /// @throw std::invalid_argument for a mesh without triangles, points that are not finite or all
   /// equal
-  void SetMesh(std::shared_ptr<const TriangleMesh> mesh);
+  void SetMesh(std::shared_ptr<const TriangleMesh> mesh, SurfacePart part = {});
   /// The same with a copy of it.
   void SetMesh(const TriangleMesh& mesh);
   /// Counts the meshes that were not equal to the one before.
@@ -49,6 +51,7 @@ public:
   /// @param callback  asked after each step of the closed form and each iteration of the energy;
   /// where the closed form is ended by it, the result is the model at rest, without directions
   /// @throw std::invalid_argument, PartWithoutSphere, SolverError
+  /// and of a surface that is spread WholeSurfaceNeeded, for a surface with one side
   StyleReport Solve(const MethodOptions& options, const Callback& callback = {});
 
   /// P' of the last solve; it is not kept here.
@@ -71,6 +74,7 @@ private:
   Points Take(const MethodOptions& options, const ClosedFormReport& closed, StyleReport& report);
 
   std::shared_ptr<const TriangleMesh> Mesh; // none at first, and where SetMesh has thrown
+  SurfacePart Part;
   Frame MeshFrame;
   Points P; // in the frame
   int MeshGeneration = 0;

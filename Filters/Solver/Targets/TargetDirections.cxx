@@ -10,17 +10,29 @@
 
 namespace SphericalStyle
 {
-int TargetOptions::NumberOfCenters() const
+int TargetOptions::NumberOfCenters(const SurfacePart& part) const
 {
-  return this->centerIds.empty()
-    ? 1
-    : 1 + *std::max_element(this->centerIds.begin(), this->centerIds.end());
+  const int last =
+    this->centerIds.empty() ? 0 : *std::max_element(this->centerIds.begin(), this->centerIds.end());
+  return 1 + static_cast<int>(part.Max(last));
 }
 
-bool TargetOptions::UsesNormals() const
+bool TargetOptions::HasTargets(const SurfacePart& part) const
 {
-  return this->targets.rows() == 0 &&
-    (this->normalBlends.size() > 0 ? this->normalBlends.maxCoeff() : this->normalBlend) > 0.0;
+  return part.Max(this->targets.rows() > 0 ? 1.0 : 0.0) > 0.0;
+}
+
+bool TargetOptions::HasFixedPoints(const SurfacePart& part) const
+{
+  return part.Max(this->fixedPoints.empty() ? 0.0 : 1.0) > 0.0;
+}
+
+bool TargetOptions::UsesNormals(const SurfacePart& part) const
+{
+  constexpr double None = -1.0;
+  const double largest =
+    part.Max(this->normalBlends.size() > 0 ? this->normalBlends.maxCoeff() : None);
+  return !this->HasTargets(part) && (largest == None ? this->normalBlend : largest) > 0.0;
 }
 
 TargetOptions TargetOptions::Into(const Frame& frame) const
@@ -32,17 +44,17 @@ TargetOptions TargetOptions::Into(const Frame& frame) const
   return framed;
 }
 
-Sphere TargetSphere(
-  const Points& P, const Triangles& F, CenterMode center, RadiusMode radius, const Sphere& custom)
+Sphere TargetSphere(const Points& P, const Triangles& F, CenterMode center, RadiusMode radius,
+  const Sphere& custom, const SurfacePart& part)
 {
   Sphere sphere = custom;
   switch (center)
   {
     case CenterMode::PointMean:
-      sphere.center = P.colwise().mean();
+      sphere.center = PointMean(P, part);
       break;
     case CenterMode::AreaCentroid:
-      sphere.center = AreaCentroid(P, F);
+      sphere.center = AreaCentroid(P, F, part);
       break;
     case CenterMode::Custom:
       break;
@@ -50,10 +62,10 @@ Sphere TargetSphere(
   switch (radius)
   {
     case RadiusMode::EqualArea:
-      sphere.radius = std::sqrt(TriangleAreas(P, F).sum() / (4.0 * Pi));
+      sphere.radius = std::sqrt(part.Sum(TriangleAreas(P, F).sum()) / (4.0 * Pi));
       break;
     case RadiusMode::EqualVolume:
-      sphere.radius = BallRadius(EnclosedVolume(P, F));
+      sphere.radius = BallRadius(EnclosedVolume(P, F, part));
       break;
     case RadiusMode::Custom:
       break;
@@ -75,20 +87,25 @@ namespace
 {
 /// The sphere of some points and triangles by themselves: others have no say, not even in the apex
 /// of the volume.
+/// @param points  that count here
 Sphere SphereOfPart(const Points& P, const Triangles& F, const std::vector<int>& points,
-  const std::vector<int>& triangles, CenterMode center, RadiusMode radius, const Sphere& custom)
+  const std::vector<int>& triangles, CenterMode center, RadiusMode radius, const Sphere& custom,
+  const SurfacePart& part)
 {
-  if (points.empty())
+  const SurfacePart apart = part.Apart();
+  Eigen::Vector2d sizes(static_cast<double>(points.size()), static_cast<double>(triangles.size()));
+  part.Sum(sizes);
+  if (sizes(0) == 0.0)
   {
     throw std::invalid_argument("there is no point in it");
   }
   Sphere given = custom;
   if (center == CenterMode::PointMean)
   {
-    given.center = P(points, AllColumns).colwise().mean();
+    given.center = PointMean(P(points, AllColumns), apart);
     center = CenterMode::Custom;
   }
-  if ((center == CenterMode::AreaCentroid || radius != RadiusMode::Custom) && triangles.empty())
+  if ((center == CenterMode::AreaCentroid || radius != RadiusMode::Custom) && sizes(1) == 0.0)
   {
     throw std::invalid_argument("there is no triangle in it to take the sphere from");
   }
@@ -102,26 +119,26 @@ Sphere SphereOfPart(const Points& P, const Triangles& F, const std::vector<int>&
       corners.row(soup(f, k)) = P.row(F(triangles[f], k));
     }
   }
-  return TargetSphere(corners, soup, center, radius, given);
+  return TargetSphere(corners, soup, center, radius, given, apart);
 }
 }
 
 std::vector<Sphere> TargetSpheres(const Points& P, const Triangles& F,
   const std::vector<int>& parts, int numberOfParts, CenterMode center, RadiusMode radius,
-  const Sphere& custom)
+  const Sphere& custom, const SurfacePart& part)
 {
   std::vector<std::vector<int>> points(numberOfParts);
   std::vector<std::vector<int>> triangles(numberOfParts);
-  const auto add = [](std::vector<std::vector<int>>& members, int part, auto id)
+  const auto add = [](std::vector<std::vector<int>>& members, int which, auto id)
   {
-    if (part >= 0)
+    if (which >= 0)
     {
-      members[part].push_back(static_cast<int>(id));
+      members[which].push_back(static_cast<int>(id));
     }
   };
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    add(points, parts[i], i);
+    add(points, part.Counts(static_cast<Eigen::Index>(i)) ? parts[i] : -1, i);
   }
   for (Eigen::Index f = 0; f < F.rows(); ++f)
   {
@@ -129,28 +146,28 @@ std::vector<Sphere> TargetSpheres(const Points& P, const Triangles& F,
     add(triangles, b == parts[F(f, 2)] ? b : parts[F(f, 0)], f);
   }
   std::vector<Sphere> spheres;
-  for (int part = 0; part < numberOfParts; ++part)
+  for (int k = 0; k < numberOfParts; ++k)
   {
     try
     {
-      spheres.push_back(SphereOfPart(P, F, points[part], triangles[part], center, radius, custom));
+      spheres.push_back(SphereOfPart(P, F, points[k], triangles[k], center, radius, custom, part));
     }
     catch (const std::invalid_argument& error)
     {
-      throw PartWithoutSphere(part, error.what());
+      throw PartWithoutSphere(k, error.what());
     }
   }
   return spheres;
 }
 
 std::vector<Sphere> SpheresOfCenters(
-  const Points& P, const Triangles& F, const TargetOptions& options)
+  const Points& P, const Triangles& F, const TargetOptions& options, const SurfacePart& part)
 {
-  const int centers = options.NumberOfCenters();
-  const bool ofAll = !options.sphereOfFreePoints || options.fixedPoints.empty();
+  const int centers = options.NumberOfCenters(part);
+  const bool ofAll = !options.HasFixedPoints(part) || !options.sphereOfFreePoints;
   if (centers == 1 && ofAll)
   {
-    return { TargetSphere(P, F, options.centerMode, options.radiusMode, options.custom) };
+    return { TargetSphere(P, F, options.centerMode, options.radiusMode, options.custom, part) };
   }
   std::vector<int> parts = options.centerIds;
   parts.resize(P.rows(), 0);
@@ -161,8 +178,8 @@ std::vector<Sphere> SpheresOfCenters(
       parts[i] = -1;
     }
   }
-  std::vector<Sphere> spheres =
-    TargetSpheres(P, F, parts, centers, options.centerMode, options.radiusMode, options.custom);
+  std::vector<Sphere> spheres = TargetSpheres(
+    P, F, parts, centers, options.centerMode, options.radiusMode, options.custom, part);
   for (Eigen::Index k = 0; k < options.centers.rows(); ++k)
   {
     spheres[k].center = options.centers.row(k);
@@ -170,10 +187,11 @@ std::vector<Sphere> SpheresOfCenters(
   return spheres;
 }
 
-Points CenterDirections(
-  const Points& P, const Triangles& F, const Eigen::Vector3d& O, std::vector<int>& onCenter)
+Points CenterDirections(const Points& P, const Triangles& F, const Eigen::Vector3d& O,
+  std::vector<int>& onCenter, const SurfacePart& part)
 {
-  const double smallest = 1e-12 * (P.colwise().maxCoeff() - P.colwise().minCoeff()).norm();
+  const auto [low, high] = BoundsOf(P, part);
+  const double smallest = 1e-12 * (high - low).norm();
   Points d = P.rowwise() - O.transpose();
   onCenter.clear();
   for (int i = 0; i < d.rows(); ++i)
@@ -189,23 +207,32 @@ Points CenterDirections(
       onCenter.push_back(i);
     }
   }
+  if (part.Max(onCenter.empty() ? 0.0 : 1.0) == 0.0)
+  {
+    return d;
+  }
   const Points known = d;
+  Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> sums; // with the number of corners
+  sums.setZero(P.rows(), 4);
   for (const int i : onCenter)
   {
-    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-    int corners = 0;
+    auto sum = sums.row(i);
     for (Eigen::Index corner = 0; corner < F.size(); ++corner)
     {
       if (F.data()[corner] == i)
       {
         const Eigen::Index f = corner / 3;
         const int k = static_cast<int>(corner % 3);
-        sum += known.row(F(f, HalfEdgeStart(k)));
-        sum += known.row(F(f, HalfEdgeEnd(k)));
-        ++corners;
+        sum.head<3>() += known.row(F(f, HalfEdgeStart(k)));
+        sum.head<3>() += known.row(F(f, HalfEdgeEnd(k)));
+        ++sum(3);
       }
     }
-    d.row(i) = sum / (2.0 * std::max(corners, 1));
+  }
+  part.SumAtShared(sums.data(), 4);
+  for (const int i : onCenter)
+  {
+    d.row(i) = sums.row(i).head<3>() / (2.0 * std::max(sums(i, 3), 1.0));
   }
   return d;
 }

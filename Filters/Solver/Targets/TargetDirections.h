@@ -61,17 +61,22 @@ struct TargetOptions
 
   int threads = 1;
 
-  int NumberOfCenters() const;
+  /// What the arrays of all processes say, some of which may have no points. @{
+  int NumberOfCenters(const SurfacePart& part = {}) const;
+  bool HasTargets(const SurfacePart& part = {}) const;
+  /// Whether anything is outside of the region.
+  bool HasFixedPoints(const SurfacePart& part) const;
   /// Whether normals have a say anywhere.
-  bool UsesNormals() const;
+  bool UsesNormals(const SurfacePart& part = {}) const;
+  /// @}
   /// The same in the units of a frame.
   TargetOptions Into(const Frame& frame) const;
 };
 
 /// @param custom  what the Custom modes take
 /// @throw std::invalid_argument when the radius is not above zero
-Sphere TargetSphere(
-  const Points& P, const Triangles& F, CenterMode center, RadiusMode radius, const Sphere& custom);
+Sphere TargetSphere(const Points& P, const Triangles& F, CenterMode center, RadiusMode radius,
+  const Sphere& custom, const SurfacePart& part = {});
 
 /// A part of a surface that has no target sphere.
 class PartWithoutSphere : public std::invalid_argument
@@ -94,18 +99,18 @@ public:
 /// @throw PartWithoutSphere where TargetSphere throws, and for one without a point or triangle
 std::vector<Sphere> TargetSpheres(const Points& P, const Triangles& F,
   const std::vector<int>& parts, int numberOfParts, CenterMode center, RadiusMode radius,
-  const Sphere& custom);
+  const Sphere& custom, const SurfacePart& part = {});
 
 /// The target sphere of each center, from points and options in one unit.
 /// @throw PartWithoutSphere, std::invalid_argument
 std::vector<Sphere> SpheresOfCenters(
-  const Points& P, const Triangles& F, const TargetOptions& options);
+  const Points& P, const Triangles& F, const TargetOptions& options, const SurfacePart& part = {});
 
 /// d_i = (p_i - O) / |p_i - O| (Eq. 4.4). A point within 1e-12 diagonals of O has no direction: it
 /// takes the mean over the other corners of its triangles (zero when they surround it evenly).
 /// @param onCenter  those points, ascending
-Points CenterDirections(
-  const Points& P, const Triangles& F, const Eigen::Vector3d& O, std::vector<int>& onCenter);
+Points CenterDirections(const Points& P, const Triangles& F, const Eigen::Vector3d& O,
+  std::vector<int>& onCenter, const SurfacePart& part = {});
 
 /// t_i = (1 - a_i) d_i + a_i n_i (Eq. 4.6), a of one entry per point.
 Points BlendDirections(const Points& d, const Points& n, const Eigen::VectorXd& a);
