@@ -5,6 +5,7 @@
 #include "SphericalStyleMethod.h"
 #include "vtkFilterSupport.h"
 #include "vtkFoldGuard.h"
+#include "vtkProcesses.h"
 #include "vtkStyleArrays.h"
 #include "vtkStyleHistory.h"
 #include "vtkStyleModel.h"
@@ -13,8 +14,10 @@
 #include "vtkSurfaceRegion.h"
 #include "vtkTargetSphere.h"
 
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -38,6 +41,7 @@ struct vtkSphericalStyleFilter::Internals
   vtkStyleModel Model;
   SphericalStyle::SphericalStyleMethod Solver;
   vtkStyleReview Review;
+  std::shared_ptr<const vtkProcesses> Processes; // of the last execution on parts
 };
 
 /// What an execution solves, and how it ends.
@@ -52,7 +56,12 @@ struct vtkSphericalStyleFilter::Execution
   Points Q;                     // the moved points; none where there is nothing to solve
 
   const vtkSurfaceMesh& Surface() const { return *this->Model.Surface; }
-  bool HasTriangles() const { return this->Surface().Mesh.F.rows() > 0; }
+  const SphericalStyle::SurfacePart& Part() const { return this->Surface().Part; }
+  bool IsFirst() const { return this->Part().IsWhole() || this->Part().processes->GetRank() == 0; }
+  bool HasTriangles() const
+  {
+    return this->Part().Max(this->Surface().Mesh.F.rows() > 0 ? 1.0 : 0.0) > 0.0;
+  }
 };
 
 //------------------------------------------------------------------------------------------------
@@ -101,7 +110,7 @@ const char* vtkSphericalStyleFilter::GetCenterPosition()
 {
   const bool custom = this->CenterMode == CUSTOM_CENTER;
   const std::shared_ptr<const vtkSurfaceMesh> surface = this->Internal->Model.GetSurface();
-  if (!surface || surface->Mesh.F.rows() == 0 ||
+  if (!surface || !surface->Part.IsWhole() || surface->Mesh.F.rows() == 0 ||
     (!custom && this->CenterMode != this->EffectiveCenterMode))
   {
     return "";
@@ -129,8 +138,83 @@ int vtkSphericalStyleFilter::RequestWholeData(
     [this] { this->ReleaseCache(); });
 }
 
-int vtkSphericalStyleFilter::Execute(
+bool vtkSphericalStyleFilter::WorksOnParts(
+  vtkInformationVector** inputVector, const vtkProcesses& processes)
+{
+  const auto asksFor = [this](int array)
+  {
+    const char* name = this->GetInputArrayInformation(array)->Get(vtkDataObject::FIELD_NAME());
+    return name && *name && std::string(name) != "None";
+  };
+  // The closed form has more options than these; they are no switches between ways to work.
+  SphericalStyle::StyleOptions o;
+  o.sphericalWeighting = static_cast<SphericalStyle::SphericalWeighting>(this->SphericalWeighting);
+  o.concaveEdges = static_cast<SphericalStyle::ConcaveEdges>(this->ConcaveEdges);
+  o.edgeWeighting = static_cast<SphericalStyle::EdgeWeighting>(this->EdgeWeighting);
+  o.initialGuess = static_cast<SphericalStyle::InitialGuess>(this->InitialGuess);
+  o.loop.stopRule = static_cast<SphericalStyle::StopRule>(this->StopRule);
+  o.anchor = static_cast<SphericalStyle::Anchor>(this->Anchor);
+  const bool needsWhole = !SphericalStyle::IsClosedForm(o) ||
+    o.anchor == SphericalStyle::Anchor::LastPoint || this->ReproduceThesis ||
+    this->AvoidSelfIntersections || !this->WeldCoincidentPoints ||
+    this->RefineLongEdges == vtkLongEdges::ALWAYS || asksFor(vtkStyleArrays::REGION_MASK) ||
+    asksFor(vtkStyleArrays::CENTER_ID) || vtkSelection::GetData(inputVector[SELECTION], 0);
+  // What differs between two processes counts as on the first one, which gathering leads to.
+  std::vector<double> own = { needsWhole ? 1.0 : 0.0, this->Roundness, this->NormalBlend,
+    static_cast<double>(this->NormalRadius), static_cast<double>(this->KeepSize),
+    this->KeepOnGround ? 1.0 : 0.0, static_cast<double>(this->UpAxis),
+    static_cast<double>(this->CenterMode), this->Center[0], this->Center[1], this->Center[2],
+    static_cast<double>(this->RadiusMode), this->Radius, this->DetailSize,
+    static_cast<double>(this->RefineLongEdges), this->GenerateRotation ? 1.0 : 0.0,
+    this->GenerateNormals ? 1.0 : 0.0 };
+  const std::vector<double> all = processes.Concatenate(own);
+  own.front() = 0.0;
+  bool works = true;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    works &= all[i] == own[i % own.size()];
+  }
+  return works;
+}
+
+int vtkSphericalStyleFilter::RequestPart(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  std::shared_ptr<const vtkProcesses>& kept = this->Internal->Processes;
+  if (!kept || !kept->IsOf(this->Controller))
+  {
+    kept = std::make_shared<const vtkProcesses>(this->Controller);
+  }
+  const std::shared_ptr<const vtkProcesses> processes = kept;
+  if (!this->WorksOnParts(inputVector, *processes))
+  {
+    return WHOLE_IS_NEEDED;
+  }
+  vtkPolyData* model = vtkPolyData::GetData(inputVector[MODEL], 0);
+  if (!model->GetPoints())
+  {
+    model->SetPoints(vtkNew<vtkPoints>());
+  }
+  std::string failure;
+  try
+  {
+    const auto execute = [&] { this->Execute(inputVector, outputVector, processes); };
+    if (processes->Run(execute, model->GetNumberOfPoints() > 0, failure))
+    {
+      return PART_DONE;
+    }
+  }
+  catch (const SphericalStyle::WholeSurfaceNeeded&)
+  {
+    return WHOLE_IS_NEEDED;
+  }
+  this->ReleaseCache(); // another process may have less of it
+  ReportFailure(this, outputVector, failure.c_str());
+  return PART_FAILED;
+}
+
+int vtkSphericalStyleFilter::Execute(vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, const std::shared_ptr<const vtkProcesses>& processes)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[MODEL], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
@@ -140,14 +224,14 @@ int vtkSphericalStyleFilter::Execute(
   {
     return 0;
   }
-  if (!input || input->GetNumberOfPoints() == 0)
+  if (!processes && (!input || input->GetNumberOfPoints() == 0))
   {
     return 1;
   }
 
   this->CheckProperties();
   const std::shared_ptr<Internals> internal = this->Internal; // ReleaseCache may come meanwhile
-  this->Take(inputVector, *internal, e);
+  this->Take(inputVector, *internal, processes, e);
   if (e.HasTriangles())
   {
     this->Solve(*internal, e);
@@ -159,12 +243,18 @@ int vtkSphericalStyleFilter::Execute(
   this->AttachArrays(*internal, e, output);
   this->SetFacts(e);
   this->Review(*internal, e);
+  internal->Solver.ForgetResult();
+  const std::vector<double> bytes = processes ? processes->GetBytesOfAll() : std::vector<double>();
+  if (!e.IsFirst())
+  {
+    return 1;
+  }
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   vtkStyleHistory::Fill(history, e.Report, "Spherical");
   vtkFoldGuard::Fill(history, e.Guarded);
   vtkStyleHistory::AddAdvice(history, this->GetAdvice());
+  vtkStyleHistory::AddBytes(history, bytes);
   vtkTargetSphere::Fill(vtkPolyData::GetData(outputVector, 2), e.Report.spheres);
-  internal->Solver.ForgetResult();
   return 1;
 }
 
@@ -185,8 +275,8 @@ void vtkSphericalStyleFilter::CheckProperties() const
     "in 0.001..1", this->MaximumEdgeLength);
 }
 
-void vtkSphericalStyleFilter::Take(
-  vtkInformationVector** inputVector, Internals& internal, Execution& e)
+void vtkSphericalStyleFilter::Take(vtkInformationVector** inputVector, Internals& internal,
+  const std::shared_ptr<const vtkProcesses>& processes, Execution& e)
 {
   vtkStyleModel::Refinement refinement;
   refinement.When = this->ReproduceThesis ? vtkLongEdges::NEVER : this->RefineLongEdges;
@@ -194,7 +284,8 @@ void vtkSphericalStyleFilter::Take(
   refinement.Region = this->GetInputArrayInformation(vtkStyleArrays::REGION_MASK);
   refinement.CenterId = this->GetInputArrayInformation(vtkStyleArrays::CENTER_ID);
   e.Model = internal.Model.Update(this, vtkPolyData::GetData(inputVector[MODEL], 0),
-    vtkSelection::GetData(inputVector[SELECTION], 0), this->WeldCoincidentPoints, refinement);
+    vtkSelection::GetData(inputVector[SELECTION], 0), this->WeldCoincidentPoints, refinement,
+    processes);
   const vtkSurfaceMesh& surface = e.Surface();
   e.Region =
     vtkSurfaceRegion::Marks(this, refinement.Region, e.Model.Selection, e.Model.Model, surface);
@@ -276,7 +367,7 @@ void vtkSphericalStyleFilter::Solve(Internals& internal, Execution& e)
       e.Q = e.Guarded.Positions;
       return;
     }
-    internal.Solver.SetMesh(e.Model.ShareMesh());
+    internal.Solver.SetMesh(e.Model.ShareMesh(), e.Part());
     e.Report = internal.Solver.Solve(e.Options, goOn);
     e.Q = internal.Solver.TakePositions();
     if (e.RegionWeights.size() > 0)
@@ -349,17 +440,18 @@ void vtkSphericalStyleFilter::Review(Internals& internal, const Execution& e)
   for (const std::string& warning : vtkStyleReview::Warnings(
          e.Surface(), e.Options, e.Report, { this->ReproduceThesis, this->GenerateCellEnergy }))
   {
-    Warn(this, warning);
+    Warn(this, e.IsFirst() ? warning : "");
   }
   Warn(this, vtkFoldGuard::Remark(e.Guarded));
-  if (e.Q.rows() == 0 || e.Report.loop.aborted)
+  if (!e.HasTriangles() || e.Report.loop.aborted)
   {
     return;
   }
   const vtkStyleReview::Remarks remarks = internal.Review.Review(
     e.Surface(), internal.Solver.GetMeshGeneration(), e.Q, e.Options, e.Report);
   Warn(this, remarks.Thinned);
-  this->Advice = this->ReproduceThesis ? "" : remarks.Advice; // the thesis is to be as it is
+  this->Advice =
+    this->ReproduceThesis || !e.IsFirst() ? "" : remarks.Advice; // the thesis is to be as it is
   this->AdviceTime.Modified();
 }
 

@@ -12,7 +12,10 @@
  * Input port 0: vtkPolyData. Triangles, quads, polygons and strips take part in the solve
  * (triangulated inside, cells unchanged on output); lines, vertices and points of no face are
  * carried along unmoved. Open borders, several components, non-manifold edges and coincident points
- * are allowed. It may be spread over processes (vtkWholeSurfaceAlgorithm).
+ * are allowed. It may be spread over processes: in closed form each rounds its own part, and what
+ * is sent does not depend on the number of points, but for those that several processes have. A
+ * region, center ids, AvoidSelfIntersections, a surface with one side, points that are not welded
+ * and edges to be split have it gathered instead, and so has the energy (vtkWholeSurfaceAlgorithm).
  *
  * Input port 1, optional: vtkPointSet, centers of your own for array 5, one point per id: in the
  * order of the ids, or, when it has a point array of that array's name, the point with that id.
@@ -53,10 +56,11 @@
  * Iteration, Total, Rigid, Spherical (energies, length^2), LocalChange, GlobalChange, Residual
  * (Eq. 3.46), Gap (estimated, see Tolerance; NaN while unknown). Its field data: StageSeconds
  * (Base, Weights, Analyze, Factor, Iterate), LinearSolver, Spheres (4: center and radius), one
- * tuple per center id, ascending, NumberOfStitches and NumberOfWallStitches (see ComponentCoupling)
- * and Advice (GetAdvice). With AvoidSelfIntersections the table is that of the last solve, and its
- * field data has TurnedOver and NewIntersectingPairs (2: before, after), GuardSolves and
- * GuardSeconds.
+ * tuple per center id, ascending, NumberOfStitches and NumberOfWallStitches (see
+ * ComponentCoupling), Advice (GetAdvice) and, where each process has rounded its own part,
+ * BytesExchanged (2: sent and received, one tuple per process). With AvoidSelfIntersections the
+ * table is that of the last solve, and its field data has TurnedOver and NewIntersectingPairs (2:
+ * before, after), GuardSolves and GuardSeconds.
  *
  * Output port 2: vtkPolyData, the target sphere that was used, as circles of longitude and latitude
  * to look at; one sphere per center id. Empty where there was nothing to solve.
@@ -115,6 +119,7 @@
 #include <string> // for std::string
 
 class vtkPointSet;
+class vtkProcesses;
 
 namespace SphericalStyle
 {
@@ -488,6 +493,7 @@ public:
    * surfaces by the solid angle that they fill), or empty before the first and where it is not
    * known yet (or no more, after ReleaseCache). With CenterMode Custom that of Center as it is now,
    * before it is executed, so that one can ask while dragging it; else of the center that was used.
+   * Not known where each process has rounded its own part.
    * O(triangles) for each call.
    */
   const char* GetCenterPosition();
@@ -506,6 +512,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestPart(vtkInformationVector**, vtkInformationVector*) override;
 
   // What only a study of the thesis changes: vtkThesisStyleFilter says what they are.
   int ConcaveEdges = 0;
@@ -521,14 +528,19 @@ private:
   void operator=(const vtkSphericalStyleFilter&) = delete;
 
   /// RequestData, which turns what this throws into a message.
-  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  /// @param processes  that the surface is spread over, or nullptr
+  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
+    const std::shared_ptr<const vtkProcesses>& processes = nullptr);
+  /// Whether the properties of all processes are the same, and need no whole surface.
+  bool WorksOnParts(vtkInformationVector** inputVector, const vtkProcesses& processes);
 
   struct Internals; // what is kept between executions
   struct Execution; // what one execution solves, and how it ends
 
   // The steps of an execution.
   void CheckProperties() const;
-  void Take(vtkInformationVector** inputVector, Internals& internal, Execution& execution);
+  void Take(vtkInformationVector** inputVector, Internals& internal,
+    const std::shared_ptr<const vtkProcesses>& processes, Execution& execution);
   SphericalStyle::MethodOptions MakeOptions() const;
   void Solve(Internals& internal, Execution& execution);
   void AttachArrays(const Internals& internal, const Execution& execution, vtkPolyData* output);

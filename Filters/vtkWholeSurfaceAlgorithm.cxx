@@ -342,6 +342,11 @@ vtkWholeSurfaceAlgorithm::~vtkWholeSurfaceAlgorithm()
   this->vtkWholeSurfaceAlgorithm::SetController(nullptr);
 }
 
+int vtkWholeSurfaceAlgorithm::RequestPart(vtkInformationVector**, vtkInformationVector*)
+{
+  return WHOLE_IS_NEEDED;
+}
+
 int vtkWholeSurfaceAlgorithm::RequestData(
   vtkInformation* request, vtkInformationVector** original, vtkInformationVector* outputVector)
 {
@@ -365,6 +370,13 @@ int vtkWholeSurfaceAlgorithm::RequestData(
   if (!this->PrepareAll(inputVector, pieces))
   {
     return 0;
+  }
+  Inputs parts(inputVector, this->GetNumberOfInputPorts());
+  parts.Set(0, pieces[0]);
+  const int done = this->RequestPart(parts.Get(), outputVector);
+  if (done != WHOLE_IS_NEEDED)
+  {
+    return done == PART_DONE;
   }
   this->SetProgressText("Gathering");
   std::vector<vtkDistributedSurface> surfaces(

@@ -92,24 +92,6 @@ std::string PathOf(vtkDataObjectTree* top, vtkDataObject* leaf)
   }
   return {};
 }
-
-void ReportFailure(vtkAlgorithm* self, vtkInformationVector* outputs, const char* what)
-{
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    if (vtkDataObject* data = vtkDataObject::GetData(outputs, port))
-    {
-      data->Initialize();
-    }
-  }
-  try
-  {
-    vtkErrorWithObjectMacro(self, << vtkFilterSupport::InBlock(self) << what);
-  }
-  catch (const std::bad_alloc&) // no memory for words: the pipeline says that the filter failed
-  {
-  }
-}
 }
 
 namespace vtkFilterSupport
@@ -160,6 +142,28 @@ vtkSmartPointer<vtkDataObject> InTree(vtkAlgorithm* self, vtkDataObject* surface
 void TakeDataSet(vtkInformation* port)
 {
   port->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+}
+
+void ReportFailure(vtkAlgorithm* self, vtkInformationVector* outputs, const char* what)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    if (vtkDataObject* data = vtkDataObject::GetData(outputs, port))
+    {
+      data->Initialize();
+    }
+  }
+  if (!*what)
+  {
+    return;
+  }
+  try
+  {
+    vtkErrorWithObjectMacro(self, << InBlock(self) << what);
+  }
+  catch (const std::bad_alloc&) // no memory for words: the pipeline says that the filter failed
+  {
+  }
 }
 
 int RunGuarded(vtkAlgorithm* self, vtkInformationVector* outputs,

@@ -61,6 +61,10 @@ vtkSmartPointer<vtkDataObject> InTree(vtkAlgorithm* self, vtkDataObject* surface
 /// with it.
 void TakeDataSet(vtkInformation* port);
 
+/// An error, with InBlock before it, and no output; no error for an empty text, where another
+/// process tells.
+void ReportFailure(vtkAlgorithm* self, vtkInformationVector* outputs, const char* what);
+
 /// For RequestData: runs `execute`. What it throws becomes an error message, and there is no output
 /// then: no exception gets into the pipeline, which does not expect any.
 /// @param forget  drops what is kept between executions: a failure that is not of the input, such

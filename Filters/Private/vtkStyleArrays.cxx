@@ -48,7 +48,7 @@ void Read(vtkAlgorithm* self, const vtkSurfaceMesh& surface, vtkPolyData* model,
   o.targets = gather(TARGET_DIRECTIONS);
   const bool useNormals =
     o.normalBlend > 0.0 || (o.normalBlends.size() > 0 && o.normalBlends.maxCoeff() > 0.0);
-  if (useNormals && o.targets.rows() == 0)
+  if (surface.Part.Max(useNormals ? 1.0 : 0.0) > 0.0 && !o.HasTargets(surface.Part))
   {
     o.normals = Conversion::GatherNormals(self->GetInputArrayInformation(NORMALS), model, surface);
   }

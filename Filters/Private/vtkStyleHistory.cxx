@@ -75,6 +75,22 @@ void AddAdvice(vtkTable* table, const char* advice)
   table->GetFieldData()->AddArray(array);
 }
 
+void AddBytes(vtkTable* table, const std::vector<double>& bytes)
+{
+  if (bytes.empty())
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("BytesExchanged");
+  array->SetNumberOfComponents(2);
+  for (std::size_t k = 0; k < bytes.size(); k += 2)
+  {
+    array->InsertNextTuple2(bytes[k], bytes[k + 1]);
+  }
+  table->GetFieldData()->AddArray(array);
+}
+
 std::vector<std::string> Remarks(const SphericalStyle::StyleReport& report)
 {
   std::vector<std::string> remarks;

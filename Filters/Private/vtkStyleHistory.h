@@ -22,6 +22,11 @@ void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char
 /// The advice as field data.
 void AddAdvice(vtkTable* table, const char* advice);
 
+/// What the processes of a surface that is spread have sent and received, as field data; nothing
+/// without.
+/// @param bytes  two numbers a process
+void AddBytes(vtkTable* table, const std::vector<double>& bytes);
+
 /// The warnings of an iteration: a loop that ended without meeting its stop rule, and solves of the
 /// global step that ended before their solution.
 std::vector<std::string> Remarks(const SphericalStyle::StyleReport& report);

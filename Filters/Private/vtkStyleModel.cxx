@@ -12,15 +12,20 @@
 namespace Conversion = vtkSurfaceMeshConversion;
 
 vtkStyleModel::Solved vtkStyleModel::Update(vtkAlgorithm* self, vtkPolyData* input,
-  vtkSelection* selection, bool weld, const Refinement& refinement)
+  vtkSelection* selection, bool weld, const Refinement& refinement,
+  const std::shared_ptr<const SphericalStyle::Processes>& processes)
 {
-  if (Conversion::Update(input, weld, this->Surface, this->Take))
+  if (Conversion::Update(input, weld, this->Surface, this->Take, processes))
   {
-    this->LongEdgeShare = SphericalStyle::LongEdgeShare(this->Surface->Mesh);
+    this->LongEdgeShare = SphericalStyle::LongEdgeShare(this->Surface->Mesh, this->Surface->Part);
   }
   if (!vtkLongEdges::IsWanted(refinement.When, this->LongEdgeShare))
   {
     return { input, selection, this->Surface };
+  }
+  if (processes)
+  {
+    throw SphericalStyle::WholeSurfaceNeeded("long edges are split");
   }
   self->SetProgressText("Refining");
   self->UpdateProgress(0.01);

@@ -52,10 +52,13 @@ public:
 
   /// @param self  the filter, for its progress and blocks @param selection  or nullptr
   /// @param weld  coincident input points become one mesh point
+  /// @param processes  that the surface is spread over, or nullptr; see FromPolyData
   /// @return with what vtkSurfaceMeshConversion::Remarks says of the input
-  /// @throw std::invalid_argument see FromPolyData, vtkLongEdges::Split, FindPointArray
+  /// @throw std::invalid_argument see FromPolyData, vtkLongEdges::Split, FindPointArray;
+  /// WholeSurfaceNeeded where the edges of a surface that is spread are to be split
   Solved Update(vtkAlgorithm* self, vtkPolyData* input, vtkSelection* selection, bool weld,
-    const Refinement& refinement);
+    const Refinement& refinement,
+    const std::shared_ptr<const SphericalStyle::Processes>& processes = nullptr);
 
   /// The mesh of the last input, before edges are split; nullptr where there was none.
   std::shared_ptr<const vtkSurfaceMesh> GetSurface() const { return this->Surface; }

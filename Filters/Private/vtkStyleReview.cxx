@@ -55,12 +55,9 @@ std::vector<std::string> vtkStyleReview::Warnings(const vtkSurfaceMesh& surface,
   std::vector<std::string> warnings = vtkSurfaceMeshConversion::Remarks(surface);
   if (o.radiusMode == RadiusMode::EqualVolume && report.spheres.size() == 1)
   {
-    warnings.push_back(vtkTargetSphere::VolumeRemark("the surface", surface.Mesh));
+    warnings.push_back(vtkTargetSphere::VolumeRemark("the surface", surface.Mesh, surface.Part));
   }
-  if (!report.pointsOnCenter.empty())
-  {
-    warnings.push_back(vtkTargetSphere::OnCenter(report.pointsOnCenter, surface));
-  }
+  warnings.push_back(vtkTargetSphere::OnCenter(report.pointsOnCenter, surface));
   if (request.CellEnergy && report.closedForm)
   {
     warnings.emplace_back(
@@ -84,7 +81,7 @@ std::vector<std::string> vtkStyleReview::Warnings(const vtkSurfaceMesh& surface,
       "HalfEdge" +
       std::string(request.Thesis ? " without ReproduceThesis" : ""));
   }
-  else if (surface.Mesh.F.rows() > 0)
+  else if (surface.Part.Max(surface.Mesh.F.rows() > 0 ? 1.0 : 0.0) > 0.0)
   {
     for (std::string& remark : vtkStyleHistory::Remarks(report))
     {
@@ -125,13 +122,14 @@ vtkStyleReview::Remarks vtkStyleReview::Review(const vtkSurfaceMesh& surface, in
   const Points& Q, const MethodOptions& o, const StyleReport& report)
 {
   this->Facts.Update(generation,
-    [&](SurfaceFacts& facts) { facts = MeasureSurface(surface.Mesh, report.components); });
+    [&](SurfaceFacts& facts)
+    { facts = MeasureSurface(surface.Mesh, report.components, surface.Part); });
   Remarks remarks;
-  if (!CannotThin(o, report))
+  if (surface.Part.IsWhole() && !CannotThin(o, report))
   {
     remarks.Thinned = this->ThinnedParts(surface, generation, Q, o.threads);
   }
   remarks.Advice =
-    Advise(o, this->Facts.Get(), MeasureResult(surface.Mesh, Q, o, report), WithCgal);
+    Advise(o, this->Facts.Get(), MeasureResult(surface.Mesh, Q, o, report, surface.Part), WithCgal);
   return remarks;
 }

@@ -27,6 +27,8 @@ public:
     bool CellEnergy = false; ///< GenerateCellEnergy
   };
 
+  // Of a surface that is spread over processes all of them call both functions, and say the same.
+
   /// What there is to warn of without looking at the result: input, target spheres, the iteration.
   /// @param o, report  of the solve; of an empty mesh those that were made for it
   static std::vector<std::string> Warnings(const vtkSurfaceMesh& surface,
@@ -39,6 +41,7 @@ public:
     std::string Advice;  ///< see SphericalStyle::Advise
   };
 
+  /// Of a surface that is spread over processes the thickness is not looked at.
   /// @param generation  another one for another mesh: SphericalStyleMethod::GetMeshGeneration
   /// @param Q  points of the result @param o, report  those of the solve that led there
   Remarks Review(const vtkSurfaceMesh& surface, int generation, const SphericalStyle::Points& Q,

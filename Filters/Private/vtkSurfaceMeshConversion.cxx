@@ -3,6 +3,7 @@
 #include "vtkSurfaceMeshConversion.h"
 
 #include "MeshDiagnosis.h"
+#include "MeshEdges.h"
 #include "SurfaceMeasures.h"
 #include "vtkFilterSupport.h"
 
@@ -26,6 +27,7 @@
 #include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
 #include "vtkStaticPointLocator.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVersionMacros.h"
 
 #include <Eigen/Geometry>
@@ -33,6 +35,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <map>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -421,7 +426,8 @@ std::vector<vtkIdType> Representatives(Points& x, bool weld)
   {
     return representative;
   }
-  if ((x.rowwise() - x.row(0)).isZero(0.0)) // the locator divides by the size of the bounds
+  if (x.rows() == 0 ||
+    (x.rowwise() - x.row(0)).isZero(0.0)) // the locator divides by the size of the bounds
   {
     std::fill(representative.begin(), representative.end(), 0);
     return representative;
@@ -512,12 +518,103 @@ std::vector<char> MovedGroups(const SphericalStyle::Triangles& F, const vtkSurfa
   return moved;
 }
 
+/// The normals with those of the owner where several processes have a point; as they are where the
+/// surface is not spread.
+vtkSmartPointer<vtkDataArray> NormalsOfOwners(const vtkSurfaceMesh& surface, vtkDataArray* normals)
+{
+  if (surface.Part.IsWhole() || !surface.IsEverywhere(normals))
+  {
+    return surface.Part.IsWhole() ? normals : nullptr;
+  }
+  Points values = Points::Zero(static_cast<Eigen::Index>(surface.MeshPoint.size()), 3);
+  for (const int i : surface.InputPart.shared)
+  {
+    if (surface.InputPart.Counts(i))
+    {
+      normals->GetTuple(i, values.row(i).data());
+    }
+  }
+  surface.InputPart.SumAtShared(values.data(), 3);
+  if (!normals) // nothing is here
+  {
+    return nullptr;
+  }
+  auto owned = vtk::TakeSmartPointer(normals->NewInstance());
+  owned->DeepCopy(normals);
+  for (const int i : surface.InputPart.shared)
+  {
+    owned->SetTuple(i, values.row(i).data());
+  }
+  return owned;
+}
+
+/// Adds what triangles of other processes give to the groups at points that these have, too: groups
+/// with equal normals before are one.
+/// @param group, place  see NormalGroups @param sums, moved  one per group
+void SumGroups(const vtkSurfaceMesh& surface, vtkDataArray* before, const std::vector<int>& group,
+  const std::vector<int>& place, Points& sums, std::vector<char>& moved)
+{
+  if (surface.Part.IsWhole())
+  {
+    return;
+  }
+  std::map<int, int> numberOf; // of mesh points that others have, too
+  for (std::size_t k = 0; k < surface.Part.shared.size(); ++k)
+  {
+    numberOf[surface.Part.shared[k]] = surface.Part.numbers[k];
+  }
+  using Key = std::array<std::uint64_t, 4>;
+  constexpr std::size_t RowSize = 8; // number of the point, normal before, sum, whether it moved
+  const auto keyOf = [](const double* row)
+  {
+    Key key;
+    std::memcpy(key.data(), row, sizeof(key)); // whatever the normals are
+    return key;
+  };
+  std::vector<int> groups;
+  std::vector<double> own;
+  std::vector<char> done(place.size(), 0);
+  for (const int i : surface.InputPart.shared)
+  {
+    const int g = group[i];
+    if (g < 0 || done[g])
+    {
+      continue;
+    }
+    done[g] = 1;
+    Eigen::Vector3d n = Eigen::Vector3d::Zero();
+    if (before)
+    {
+      before->GetTuple(i, n.data());
+    }
+    n.array() += 0.0; // -0 and 0 are equal
+    groups.push_back(g);
+    own.insert(own.end(),
+      { static_cast<double>(numberOf.at(place[g])), n(0), n(1), n(2), sums(g, 0), sums(g, 1),
+        sums(g, 2), static_cast<double>(moved[g]) });
+  }
+  const std::vector<double> all = surface.Part.Concatenate(own);
+  std::map<Key, Eigen::Vector4d> total;
+  for (std::size_t at = 0; at < all.size(); at += RowSize)
+  {
+    const auto found = total.insert({ keyOf(all.data() + at), Eigen::Vector4d::Zero() }).first;
+    found->second += Eigen::Map<const Eigen::Vector4d>(all.data() + at + 4);
+  }
+  for (std::size_t k = 0; k < groups.size(); ++k)
+  {
+    const Eigen::Vector4d& sum = total.at(keyOf(own.data() + RowSize * k));
+    sums.row(groups[k]) = sum.head<3>();
+    moved[groups[k]] = sum(3) > 0.0;
+  }
+}
+
 /// Normals of the moved surface; points that no moved triangle touches keep theirs.
 void ReplacePointNormals(
   vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q, bool generate)
 {
-  vtkDataArray* before = output->GetPointData()->GetNormals();
-  if (!before && !generate)
+  const vtkSmartPointer<vtkDataArray> before =
+    NormalsOfOwners(surface, output->GetPointData()->GetNormals());
+  if (!surface.IsEverywhere(before) && !generate)
   {
     return;
   }
@@ -525,8 +622,10 @@ void ReplacePointNormals(
   const std::vector<int> group = NormalGroups(surface, before, place);
   const SphericalStyle::Triangles F =
     surface.Corners.unaryExpr([&group](vtkIdType i) { return group[i]; });
-  const Points n = SphericalStyle::PointNormals(Q(place, SphericalStyle::AllColumns), F);
-  const std::vector<char> moved = MovedGroups(F, surface, Q, place.size());
+  Points n = SphericalStyle::PointNormalSums(Q(place, SphericalStyle::AllColumns), F);
+  std::vector<char> moved = MovedGroups(F, surface, Q, place.size());
+  SumGroups(surface, before, group, place, n, moved);
+  SphericalStyle::NormalizeSums(n);
 
   auto normals = vtk::TakeSmartPointer(
     before ? before->NewInstance() : vtkDataArray::CreateDataArray(VTK_FLOAT));
@@ -627,12 +726,25 @@ vtkSmartPointer<vtkDataArray> NewPointArray(
   return array;
 }
 
+/// The marks of points or cells of which another process has the original; nullptr without.
+vtkUnsignedCharArray* GhostMarks(vtkDataSetAttributes* attributes)
+{
+  return vtkUnsignedCharArray::SafeDownCast(
+    attributes->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
+}
+
+bool IsMarked(vtkUnsignedCharArray* marks, vtkIdType i, unsigned char mark)
+{
+  return marks && (marks->GetValue(i) & mark) != 0;
+}
+
 using Corners = std::array<vtkIdType, 3>; // input points
 
 /// The triangles that have an area, and what is to be said of the others and of polygons.
 /// @param first  for each point, the first of those at its place
-std::vector<Corners> TakeTriangles(
-  vtkPolyData* input, const Points& x, const std::vector<vtkIdType>& first, vtkSurfaceMesh& surface)
+/// @param ghosts  marks of the cells, where those of other processes are to be left out, or nullptr
+std::vector<Corners> TakeTriangles(vtkPolyData* input, const Points& x,
+  const std::vector<vtkIdType>& first, vtkUnsignedCharArray* ghosts, vtkSurfaceMesh& surface)
 {
   std::vector<Corners> triangles;
   triangles.reserve(input->GetNumberOfPolys());
@@ -645,6 +757,10 @@ std::vector<Corners> TakeTriangles(
   faces.Visit(
     [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
     {
+      if (IsMarked(ghosts, cell, vtkDataSetAttributes::DUPLICATECELL))
+      {
+        return;
+      }
       if (!isDegenerate(first[a], first[b], first[c]))
       {
         triangles.push_back({ a, b, c });
@@ -661,9 +777,11 @@ std::vector<Corners> TakeTriangles(
 }
 
 /// Numbers the places in use in the order of the input, so that "last point" means the input's.
+/// @param shared  places that triangles of other processes may use
 /// @param number  NotMoved for other points @return how many there are
 int NumberPlaces(const std::vector<Corners>& triangles, const std::vector<vtkIdType>& first,
-  vtkSurfaceMeshConversion::TakePoints take, std::vector<int>& number)
+  vtkSurfaceMeshConversion::TakePoints take, const SphericalStyle::SurfacePart& everybody,
+  const SphericalStyle::SharedPlaces& shared, std::vector<int>& number)
 {
   number.assign(first.size(), vtkSurfaceMesh::NotMoved);
   for (const Corners& t : triangles)
@@ -680,6 +798,20 @@ int NumberPlaces(const std::vector<Corners>& triangles, const std::vector<vtkIdT
       number[i] = 0;
     }
   }
+  std::vector<double> used(shared.numberOfPlaces, 0.0);
+  for (std::size_t k = 0; k < shared.points.size(); ++k)
+  {
+    used[shared.places[k]] =
+      std::max(used[shared.places[k]], number[first[shared.points[k]]] == 0 ? 1.0 : 0.0);
+  }
+  everybody.Max(used.data(), used.size());
+  for (std::size_t k = 0; k < shared.points.size(); ++k)
+  {
+    if (used[shared.places[k]] > 0.0)
+    {
+      number[first[shared.points[k]]] = 0;
+    }
+  }
   int count = 0;
   for (int& id : number)
   {
@@ -687,6 +819,123 @@ int NumberPlaces(const std::vector<Corners>& triangles, const std::vector<vtkIdT
   }
   return count;
 }
+
+/// The points that other processes have, too.
+SphericalStyle::SharedPlaces SharedInputPoints(
+  vtkPolyData* input, const Points& x, const SphericalStyle::Processes* processes)
+{
+  if (!processes)
+  {
+    return {};
+  }
+  std::vector<char> ghosts(x.rows());
+  vtkUnsignedCharArray* marks = GhostMarks(input->GetPointData());
+  for (std::size_t i = 0; i < ghosts.size(); ++i)
+  {
+    ghosts[i] =
+      IsMarked(marks, static_cast<vtkIdType>(i), vtkDataSetAttributes::DUPLICATEPOINT) ? 1 : 0;
+  }
+  return SphericalStyle::FindSharedPlaces(x, ghosts, *processes);
+}
+
+/// What of the surface this process has.
+void TakePart(const SphericalStyle::SurfacePart& everybody,
+  const SphericalStyle::SharedPlaces& shared, vtkSurfaceMesh& surface)
+{
+  surface.Part = everybody;
+  surface.Part.counts.assign(surface.Mesh.P.rows(), 1);
+  surface.Part.numberOfShared = shared.numberOfPlaces;
+  for (std::size_t k = 0; k < shared.points.size(); ++k)
+  {
+    const int point = surface.MeshPoint[shared.points[k]];
+    if (point == vtkSurfaceMesh::NotMoved)
+    {
+      continue;
+    }
+    if (surface.Part.numbers.empty() || surface.Part.numbers.back() != shared.places[k])
+    {
+      surface.Part.shared.push_back(point);
+      surface.Part.numbers.push_back(shared.places[k]);
+      surface.Part.counts[point] = 0;
+    }
+    surface.Part.counts[point] |= shared.isFirst[k];
+  }
+  surface.InputPart = everybody;
+  surface.InputPart.counts = shared.counts;
+  surface.InputPart.shared = shared.points;
+  surface.InputPart.numbers = shared.copies;
+  surface.InputPart.numberOfShared = shared.numberOfCopies;
+  vtkSurfaceMeshConversion::CountOnAll(everybody, surface.DegenerateTriangles,
+    surface.FirstDegenerateCell, surface.FirstDegenerateProcess);
+  vtkSurfaceMeshConversion::CountOnAll(
+    everybody, surface.FannedPolygons, surface.FirstFannedPolygon, surface.FirstFannedProcess);
+}
+}
+
+namespace
+{
+/// Global ids say which points are one even where each process has rounded them for itself, and so
+/// do not stand at one place. Looked at are points on the border of a part, and the lowest ids, as
+/// each process has made some for itself.
+/// @throw WholeSurfaceNeeded where an id stands for several places
+void CheckGlobalIds(vtkPolyData* input, const Points& x, const vtkSurfaceMesh& surface)
+{
+  vtkDataArray* ids = input->GetPointData()->GetGlobalIds();
+  if (!surface.IsEverywhere(ids))
+  {
+    return;
+  }
+  std::vector<char> onBorder(surface.Mesh.P.rows(), 0);
+  const SphericalStyle::MeshEdges edges(surface.Mesh.F);
+  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
+  {
+    const int h = edges.GetHalfEdges()[edges.GetOffset()[e]];
+    for (int k = 1; k < 3 && edges.GetValence(e) == 1; ++k)
+    {
+      onBorder[surface.Mesh.F(h / 3, (h + k) % 3)] = 1;
+    }
+  }
+  using Row = std::array<double, 4>; // id and place
+  std::vector<Row> own;
+  std::vector<Row> others;
+  for (Eigen::Index i = 0; i < x.rows(); ++i)
+  {
+    const int point = surface.MeshPoint[i];
+    (point >= 0 && onBorder[point] ? own : others)
+      .push_back({ ids->GetComponent(i, 0), x(i, 0), x(i, 1), x(i, 2) });
+  }
+  constexpr std::size_t Lowest = 1000;
+  const auto last = others.begin() + static_cast<std::ptrdiff_t>(std::min(Lowest, others.size()));
+  std::partial_sort(others.begin(), last, others.end());
+  own.insert(own.end(), others.begin(), last);
+  std::vector<double> numbers;
+  for (const Row& row : own)
+  {
+    numbers.insert(numbers.end(), row.begin(), row.end());
+  }
+  numbers = surface.Part.Concatenate(numbers);
+  std::vector<Row> all(numbers.size() / 4);
+  for (std::size_t k = 0; k < all.size(); ++k)
+  {
+    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(4 * k), 4, all[k].begin());
+  }
+  std::sort(all.begin(), all.end());
+  for (std::size_t k = 1; k < all.size(); ++k)
+  {
+    if (all[k][0] == all[k - 1][0] && all[k] != all[k - 1])
+    {
+      throw SphericalStyle::WholeSurfaceNeeded("a global id stands for several places");
+    }
+  }
+}
+}
+
+bool vtkSurfaceMesh::IsEverywhere(vtkDataArray* array) const
+{
+  const bool missing = !array && !this->MeshPoint.empty();
+  double has[2] = { array ? 1.0 : 0.0, missing ? 1.0 : 0.0 };
+  this->Part.Max(has, 2);
+  return has[0] > 0.0 && has[1] == 0.0;
 }
 
 vtkIdType vtkSurfaceMesh::FirstInputPoint(int i) const
@@ -696,19 +945,24 @@ vtkIdType vtkSurfaceMesh::FirstInputPoint(int i) const
 
 namespace vtkSurfaceMeshConversion
 {
-vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
+vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take,
+  const std::shared_ptr<const SphericalStyle::Processes>& processes)
 {
   CheckAllNormals(input);
   CheckCells(input);
   Points x = CheckedPoints(input);
+  SphericalStyle::SurfacePart everybody;
+  everybody.processes = processes;
+  const SphericalStyle::SharedPlaces shared = SharedInputPoints(input, x, processes.get());
   const std::vector<vtkIdType> first = Representatives(x, weld);
 
   vtkSurfaceMesh surface;
   surface.Welded = weld;
-  const std::vector<Corners> triangles = TakeTriangles(input, x, first, surface);
+  const std::vector<Corners> triangles =
+    TakeTriangles(input, x, first, processes ? GhostMarks(input->GetCellData()) : nullptr, surface);
   CheckSize(triangles.size(), first.size());
   std::vector<int> number;
-  const int count = NumberPlaces(triangles, first, take, number);
+  const int count = NumberPlaces(triangles, first, take, everybody, shared, number);
   surface.Mesh.P.resize(count, 3);
   surface.Mesh.F.resize(static_cast<Eigen::Index>(triangles.size()), 3);
   surface.Corners.resize(static_cast<Eigen::Index>(triangles.size()), 3);
@@ -734,22 +988,38 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take)
       surface.Mesh.F(static_cast<Eigen::Index>(t), k) = number[first[triangles[t][k]]];
     }
   }
+  if (processes)
+  {
+    TakePart(everybody, shared, surface);
+    CheckGlobalIds(input, x, surface);
+  }
   return surface;
 }
 
-bool Update(
-  vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>& surface, TakePoints take)
+bool Update(vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>& surface,
+  TakePoints take, const std::shared_ptr<const SphericalStyle::Processes>& processes)
 {
-  const bool plain = surface && surface->DegenerateTriangles == 0 && surface->FannedPolygons == 0;
-  if (plain && surface->Welded == weld && HasTriangles(input, *surface) &&
-    HasPoints(input, *surface))
+  SphericalStyle::SurfacePart everybody;
+  everybody.processes = processes;
+  const bool plain = surface && surface->DegenerateTriangles == 0 && surface->FannedPolygons == 0 &&
+    surface->Part.processes == processes;
+  const auto isMarked = [input]
+  { return GhostMarks(input->GetPointData()) || GhostMarks(input->GetCellData()); };
+  const auto isEqual = [&]
+  {
+    return processes && input->GetNumberOfPoints() == 0
+      ? surface->MeshPoint.empty()
+      : HasTriangles(input, *surface) && HasPoints(input, *surface) && !(processes && isMarked());
+  };
+  const bool same = plain && surface->Welded == weld && isEqual();
+  if (everybody.Max(same ? 0.0 : 1.0) == 0.0)
   {
     CheckAllNormals(input);
     CheckCells(input);
     return false;
   }
   surface.reset(); // nothing of the old one is kept should the next line throw
-  surface = std::make_shared<const vtkSurfaceMesh>(FromPolyData(input, weld, take));
+  surface = std::make_shared<const vtkSurfaceMesh>(FromPolyData(input, weld, take, processes));
   return true;
 }
 
@@ -817,13 +1087,39 @@ WholeSurface Whole(vtkPolyData* input)
   return whole;
 }
 
+void CountOnAll(
+  const SphericalStyle::SurfacePart& everybody, vtkIdType& count, vtkIdType& first, int& process)
+{
+  if (everybody.IsWhole())
+  {
+    return;
+  }
+  const std::vector<double> all =
+    everybody.Concatenate({ static_cast<double>(count), static_cast<double>(first) });
+  count = 0;
+  for (std::size_t k = 0; k < all.size(); k += 2)
+  {
+    if (count == 0 && all[k] > 0.0)
+    {
+      first = static_cast<vtkIdType>(all[k + 1]);
+      process = static_cast<int>(k / 2);
+    }
+    count += static_cast<vtkIdType>(all[k]);
+  }
+}
+
+std::string OfProcess(int process)
+{
+  return process >= 0 ? " of process " + std::to_string(process) : std::string();
+}
+
 std::string FannedRemark(const vtkSurfaceMesh& surface)
 {
   return surface.FannedPolygons == 0
     ? std::string()
     : "cut " + vtkFilterSupport::Count(surface.FannedPolygons, "polygon") +
       " that cannot be triangulated as fans, the first is cell " +
-      std::to_string(surface.FirstFannedPolygon);
+      std::to_string(surface.FirstFannedPolygon) + OfProcess(surface.FirstFannedProcess);
 }
 
 std::string SkippedRemark(const vtkSurfaceMesh& surface)
@@ -831,13 +1127,14 @@ std::string SkippedRemark(const vtkSurfaceMesh& surface)
   return surface.DegenerateTriangles == 0
     ? std::string()
     : "skipped " + vtkFilterSupport::Count(surface.DegenerateTriangles, "degenerate triangle") +
-      ", the first in cell " + std::to_string(surface.FirstDegenerateCell);
+      ", the first in cell " + std::to_string(surface.FirstDegenerateCell) +
+      OfProcess(surface.FirstDegenerateProcess);
 }
 
 std::vector<std::string> Remarks(const vtkSurfaceMesh& surface)
 {
   std::vector<std::string> remarks;
-  if (surface.Mesh.F.rows() == 0)
+  if (surface.Part.Max(surface.Mesh.F.rows() > 0 ? 1.0 : 0.0) == 0.0)
   {
     remarks.emplace_back("the input has no triangle with an area: nothing moves");
   }
@@ -893,20 +1190,23 @@ Points GatherNormals(vtkInformation* wanted, vtkPolyData* input, const vtkSurfac
 Points GatherPointArray(
   vtkInformation* wanted, vtkPolyData* input, const vtkSurfaceMesh& surface, const ArrayRule& rule)
 {
-  vtkDataArray* array = FindPointArray(wanted, input, rule.Purpose, rule.Attribute);
-  if (!array)
+  const bool hasNothing = !surface.Part.IsWhole() && surface.MeshPoint.empty();
+  vtkDataArray* array =
+    hasNothing ? nullptr : FindPointArray(wanted, input, rule.Purpose, rule.Attribute);
+  if (!surface.IsEverywhere(array))
   {
     return {};
   }
   const auto numberOfPoints = static_cast<vtkIdType>(surface.MeshPoint.size());
   std::ostringstream message;
-  message << rule.Purpose << ": array \"" << (array->GetName() ? array->GetName() : "") << "\" ";
-  if (array->GetNumberOfComponents() != rule.Components)
+  message << rule.Purpose << ": array \"" << (array && array->GetName() ? array->GetName() : "")
+          << "\" ";
+  if (array && array->GetNumberOfComponents() != rule.Components)
   {
     message << "has " << array->GetNumberOfComponents() << " components, not " << rule.Components;
     Refuse(message);
   }
-  if (array->GetNumberOfTuples() != numberOfPoints)
+  if (array && array->GetNumberOfTuples() != numberOfPoints)
   {
     message << "has " << array->GetNumberOfTuples() << " tuples for " << numberOfPoints
             << " points: a point array is needed";
@@ -918,7 +1218,7 @@ Points GatherPointArray(
   for (vtkIdType i = 0; i < numberOfPoints; ++i)
   {
     const int to = surface.MeshPoint[i];
-    if (to < 0)
+    if (to < 0 || !surface.InputPart.Counts(i))
     {
       continue;
     }
@@ -946,6 +1246,8 @@ Points GatherPointArray(
     }
     count(to) += 1.0;
   }
+  surface.Part.SumAtShared(sum.data(), 3);
+  surface.Part.SumAtShared(count.data(), 1);
   return sum.array().colwise() / count.array();
 }
 

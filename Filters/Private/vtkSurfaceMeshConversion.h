@@ -5,7 +5,7 @@
 #ifndef vtkSurfaceMeshConversion_h
 #define vtkSurfaceMeshConversion_h
 
-#include "TriangleMesh.h"
+#include "SurfacePart.h"
 #include "vtkDataSetAttributes.h" // for the attribute types
 #include "vtkSmartPointer.h"      // for vtkSmartPointer
 #include "vtkType.h"              // for vtkIdType
@@ -36,11 +36,21 @@ struct vtkSurfaceMesh
   std::vector<double> NotMovedPoints;
   bool Welded = false; ///< whether points at one place are one
 
-  /// What was left out or repaired, with the first cell id.
+  /// Of a surface that is spread over processes: what this one has of the mesh, and of the input's
+  /// points, where a point counts if its values do and not those that another process has of it.
+  SphericalStyle::SurfacePart Part;
+  SphericalStyle::SurfacePart InputPart;
+  /// Whether all processes that have points have an array. To be called by all of them.
+  bool IsEverywhere(vtkDataArray* array) const;
+
+  /// What was left out or repaired, with the first cell id, and the process that has that cell; -1
+  /// for a surface that is not spread.
   vtkIdType DegenerateTriangles = 0;
   vtkIdType FirstDegenerateCell = -1;
+  int FirstDegenerateProcess = -1;
   vtkIdType FannedPolygons = 0;
   vtkIdType FirstFannedPolygon = -1;
+  int FirstFannedProcess = -1;
 
   /// First input point of mesh point i.
   vtkIdType FirstInputPoint(int i) const;
@@ -55,23 +65,28 @@ enum class TakePoints
 };
 
 /// @param weld  coincident input points become one mesh point
-/// Triangles with an angle below 1e-10 (area against the longest edge), or that use a mesh point
-/// twice, are skipped and counted; polygons that cannot be triangulated become fans and are
-/// counted.
+/// @param processes  that the surface is spread over, or nullptr; all call this with their parts
+/// and `weld` then. Cells that vtkGhostType marks as duplicates take no part. Points that are on
+/// several processes are those at the same coordinates. Triangles with an angle below 1e-10 (area
+/// against the longest edge), or that use a mesh point twice, are skipped and counted; polygons
+/// that cannot be triangulated become fans and are counted.
 /// @throw std::invalid_argument naming the first point that is not finite or beyond 1e300, the
 /// first
 ///        cell with a point id out of range, active normals of another number than points or cells,
 ///        or too many points
-vtkSurfaceMesh FromPolyData(
-  vtkPolyData* input, bool weld, TakePoints take = TakePoints::OfTriangles);
+vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld,
+  TakePoints take = TakePoints::OfTriangles,
+  const std::shared_ptr<const SphericalStyle::Processes>& processes = nullptr);
 
 /// Makes `surface`, the result of an earlier call or nullptr, that of the input: a few passes over
 /// the arrays where the input is triangles and nothing has changed, another FromPolyData otherwise.
 /// Contents are compared, not times: arrays may have been written to in place.
-/// @param take  the same in all calls for this surface
-/// @return whether it was made anew @throw see FromPolyData; `surface` is nullptr then
+/// @param take  the same in all calls for this surface @param processes  see FromPolyData
+/// @return whether it was made anew, on all processes or on none
+/// @throw see FromPolyData; `surface` is nullptr then
 bool Update(vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>& surface,
-  TakePoints take = TakePoints::OfTriangles);
+  TakePoints take = TakePoints::OfTriangles,
+  const std::shared_ptr<const SphericalStyle::Processes>& processes = nullptr);
 
 /// The surface without arrays of points or cells that have no tuple, although there are points or
 /// cells: vtkOBJReader makes such normals where faces name some that are not in the file.
@@ -112,6 +127,13 @@ struct WholeSurface
 /// @throw std::invalid_argument naming the first cell with a point id out of range, or too many
 ///        triangles or points
 WholeSurface Whole(vtkPolyData* input);
+
+/// Makes a count that of all processes, and `first` that of the first process that has one.
+/// @param process  that one; stays where the surface is not spread
+void CountOnAll(
+  const SphericalStyle::SurfacePart& everybody, vtkIdType& count, vtkIdType& first, int& process);
+/// For messages, after a number: " of process 2"; empty for -1.
+std::string OfProcess(int process);
 
 /// Polygons that had to be cut as fans, triangles that were skipped, in words for warnings; empty
 /// where there are none.

@@ -78,16 +78,28 @@ bool vtkTargetSphere::Encloses(
 
 std::string vtkTargetSphere::OnCenter(const std::vector<int>& points, const vtkSurfaceMesh& surface)
 {
-  return "no direction from the center for " +
-    vtkFilterSupport::Count(static_cast<vtkIdType>(points.size()), "point") +
-    " on it, the first is point " + std::to_string(surface.FirstInputPoint(points.front())) +
-    "; the mean of the neighbors' directions is taken";
+  vtkIdType count = 0;
+  vtkIdType first = -1;
+  int process = -1;
+  for (const int i : points)
+  {
+    if (surface.Part.Counts(i) && count++ == 0)
+    {
+      first = surface.FirstInputPoint(i);
+    }
+  }
+  vtkSurfaceMeshConversion::CountOnAll(surface.Part, count, first, process);
+  return count == 0 ? std::string()
+                    : "no direction from the center for " +
+      vtkFilterSupport::Count(count, "point") + " on it, the first is point " +
+      std::to_string(first) + vtkSurfaceMeshConversion::OfProcess(process) +
+      "; the mean of the neighbors' directions is taken";
 }
 
-std::string vtkTargetSphere::VolumeRemark(
-  const char* what, const SphericalStyle::TriangleMesh& mesh)
+std::string vtkTargetSphere::VolumeRemark(const char* what,
+  const SphericalStyle::TriangleMesh& mesh, const SphericalStyle::SurfacePart& part)
 {
-  if (SphericalStyle::VolumeAmbiguity(mesh.P, mesh.F) < LargestAmbiguity)
+  if (SphericalStyle::VolumeAmbiguity(mesh.P, mesh.F, part) < LargestAmbiguity)
   {
     return {};
   }

@@ -25,13 +25,14 @@ void Fill(vtkPolyData* output, const std::vector<SphericalStyle::Sphere>& sphere
 /// triangles must agree on their outside; which it is does not matter. O(m).
 bool Encloses(const SphericalStyle::TriangleMesh& mesh, const Eigen::Vector3d& point);
 
-/// The warning for points that have no direction from the center.
-/// @param points  of the mesh, at least one
+/// The warning for points that have no direction from the center; empty without any.
+/// @param points  of the mesh
 std::string OnCenter(const std::vector<int>& points, const vtkSurfaceMesh& surface);
 
 /// For RadiusMode EqualVolume: the warning where the mesh has no volume of its own, but for holes
 /// that change it by less than a hundredth; else empty. O(m). @param what  the mesh, in words
-std::string VolumeRemark(const char* what, const SphericalStyle::TriangleMesh& mesh);
+std::string VolumeRemark(const char* what, const SphericalStyle::TriangleMesh& mesh,
+  const SphericalStyle::SurfacePart& part = {});
 }
 
 #endif
