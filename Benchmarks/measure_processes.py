@@ -1,18 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What gathering a surface from the processes of MPI costs beside rounding it.
+"""What rounding a surface that is spread over the processes of MPI costs, beside rounding it in one.
 
     mpirun -np 4 pvbatch --sym measure_processes.py [--halvings 0 1 2 3 4] [--detail-size 0.06] [--repeat 5]
-                                                           [--head-start 0.5]
 
 The creature of Data/ with its edges halved, in slices over the processes; each also has the whole. Times are those that
-a processor works on the first process, in milliseconds, with one thread, the least of several: rounded alone; spread,
-where the others have sent before; spread again with another Roundness. Memory is the peak of the first process
-so far, in MB, after each of the first two.
+a processor works, in milliseconds, with one thread, the least of several: rounded alone by the first process; spread,
+the sum of all processes; the same again with another Roundness. Waiting for others counts as work. Memory is the peak
+of an execution above what the process had before it, in MB: alone; spread, that of the process with most, and the mean.
+Then the most kB that a process has sent and received.
 """
 import argparse
 import pathlib
-import resource
 import sys
 import time
 
@@ -22,7 +21,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 from sphericalstyle import vtkSphericalStyleFilter
 
@@ -65,8 +64,24 @@ def slice_of(points, triangles):
     return surface(points[used], np.searchsorted(used, mine))
 
 
+def over_all(value, operation):
+    mine, all_ = (numpy_to_vtk(np.array([float(value)]), deep=True) for _ in range(2))
+    controller.AllReduce(mine, all_, operation)
+    return all_.GetValue(0)
+
+
+def memory(what):
+    """VmRSS or VmHWM, now and the peak, in MB."""
+    with open("/proc/self/status", encoding="ascii") as status:
+        return next(int(line.split()[1]) for line in status if line.startswith(what)) / 1024
+
+
+def forget_peak():
+    pathlib.Path("/proc/self/clear_refs").write_text("5", encoding="ascii")
+
+
 def execute(data, mpi, arguments, again=False):
-    """Milliseconds of a first execution, or of one after it."""
+    """Milliseconds of a first execution, or of one after it; its peak of memory in MB; kB sent and received."""
     style = vtkSphericalStyleFilter()
     style.SetController(mpi)
     if arguments.detail_size is not None:
@@ -77,40 +92,40 @@ def execute(data, mpi, arguments, again=False):
         style.Update()
         style.SetRoundness(1.2)
     controller.Barrier()
-    time.sleep(arguments.head_start if RANK == 0 else 0)  # waiting would be work
+    before = memory("VmRSS")
+    forget_peak()
     start = time.process_time()
     style.Update()
-    return 1e3 * (time.process_time() - start)
-
-
-def memory():
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    used = 1e3 * (time.process_time() - start)
+    array = style.GetOutputDataObject(1).GetFieldData().GetArray("BytesExchanged")
+    return used, memory("VmHWM") - before, vtk_to_numpy(array).max(axis=0) / 1e3 if array else np.zeros(2)
 
 
 def main():
-    parser = argparse.ArgumentParser(description="What gathering a surface from processes costs.")
+    parser = argparse.ArgumentParser(description="What a surface costs that is spread over processes.")
     parser.add_argument("--halvings", type=int, nargs="+", default=[0, 1, 2, 3, 4])
     parser.add_argument("--detail-size", type=float, help="of the filter, by default as there")
     parser.add_argument("--repeat", type=int, default=5)
-    parser.add_argument("--head-start", type=float, default=0.5, help="seconds that the others get to send in")
     arguments = parser.parse_args()
     if RANK == 0:
-        print(f"{RANKS} processes\n   points    alone   spread    again  MB alone  MB spread", flush=True)
+        print(f"{RANKS} processes\n   points    alone   spread    again  MB alone   MB most   MB mean   kB sent"
+              "  kB received", flush=True)
     for times in arguments.halvings:
         points, triangles = halved(times)
         whole, piece = surface(points, triangles), slice_of(points, triangles)
+        del points, triangles
 
-        def least(*how):
-            return min(execute(*how) for _ in range(arguments.repeat))
+        def least(data, mpi, again=False):
+            return min((execute(data, mpi, arguments, again) for _ in range(arguments.repeat)), key=lambda run: run[0])
         # The others wait meanwhile.
-        alone = least(whole if RANK == 0 else vtkPolyData(), None, arguments)
-        memory_alone = memory()
-        spread = least(piece, controller, arguments)
-        memory_spread = memory()
-        again = least(piece, controller, arguments, True)
+        alone, memory_alone, _ = least(whole if RANK == 0 else vtkPolyData(), None)
+        spread, memory_spread, exchanged = least(piece, controller)
+        again, _, _ = least(piece, controller, True)
+        spread, again, mean = (over_all(value, vtkCommunicator.SUM_OP) for value in (spread, again, memory_spread))
+        most = over_all(memory_spread, vtkCommunicator.MAX_OP)
         if RANK == 0:
-            print(f"{len(points):9d}{alone:9.0f}{spread:9.0f}{again:9.0f}{memory_alone:10.0f}{memory_spread:11.0f}",
-                  flush=True)
+            print(f"{whole.GetNumberOfPoints():9d}{alone:9.0f}{spread:9.0f}{again:9.0f}{memory_alone:10.0f}{most:10.0f}"
+                  f"{mean / RANKS:10.0f}{exchanged[0]:10.0f}{exchanged[1]:13.0f}", flush=True)
 
 
 main()
