@@ -367,10 +367,9 @@ ProxyDeformationReport ProxyDeformation::Deform(const TriangleMesh& model,
   return this->Deform(std::make_shared<const TriangleMesh>(model), options, carryOn);
 }
 
-ProxyDeformationReport ProxyDeformation::Deform(const std::shared_ptr<const TriangleMesh>& shared,
+ProxyDeformationReport ProxyDeformation::Deform(const std::shared_ptr<const TriangleMesh>& model,
   const ProxyDeformationOptions& options, const std::function<bool(double)>& carryOn)
 {
-  const TriangleMesh& model = *shared;
   State& s = *this->S;
   ProxyDeformationReport& report = s.Report;
   report = ProxyDeformationReport();
@@ -383,7 +382,7 @@ ProxyDeformationReport ProxyDeformation::Deform(const std::shared_ptr<const Tria
 
   if (goOn(0.0))
   {
-    s.UpdateProxy(shared, options);
+    s.UpdateProxy(model, options);
   }
   if (goOn(0.3))
   {
@@ -391,11 +390,11 @@ ProxyDeformationReport ProxyDeformation::Deform(const std::shared_ptr<const Tria
   }
   if (goOn(0.5))
   {
-    s.UpdateFeet(model, options);
+    s.UpdateFeet(*model, options);
   }
   if (goOn(0.9))
   {
-    s.Move(model, options);
+    s.Move(*model, options);
   }
   if (report.aborted)
   {
@@ -405,7 +404,7 @@ ProxyDeformationReport ProxyDeformation::Deform(const std::shared_ptr<const Tria
   report.style = s.Rounding.Get();
   report.flat = s.Proxy->Hull.flat;
   report.fallback = s.Proxy->Hull.fallback;
-  s.UpdateConvexity(shared);
+  s.UpdateConvexity(model);
   report.convexityRatio = s.Convexity.Get();
   report.projectionError = s.Projected->Surplus;
   for (const int number : s.Projected->OfPoints.projectionCase)
@@ -414,7 +413,7 @@ ProxyDeformationReport ProxyDeformation::Deform(const std::shared_ptr<const Tria
   }
   if (options.projection == Projection::DirectionArray)
   {
-    for (Eigen::Index i = 0; i < model.P.rows(); ++i)
+    for (Eigen::Index i = 0; i < model->P.rows(); ++i)
     {
       const bool asked = !options.directions.row(i).isZero(0.0);
       if (asked && s.Projected->OfPoints.byClosestPoint[i] != 0)
