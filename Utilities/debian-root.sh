@@ -45,6 +45,9 @@ in_debian()
     mount -t sysfs -o ro sysfs "$root/sys"
     mkdir -p "$root/dev/shm"
     mount -t tmpfs tmpfs "$root/dev/shm"
+    mkdir -p "$root/dev/pts"
+    mount -t devpts -o mode=620,ptmxmode=666 devpts "$root/dev/pts"
+    mount --bind "$root/dev/pts/ptmx" "$root/dev/ptmx"
     if [ -n "$shared" ]; then
       mkdir -p "$root$shared"
       mount --bind "$shared" "$root$shared"

@@ -130,7 +130,10 @@ def write_surface(place, surface):
     """Writes a surface in the format of the name's ending, whole or not at all."""
     suffix = place.suffix.lower()
     writer = WRITERS[suffix]()
-    getattr(writer, "SetFileTypeToBinary", lambda: None)()  # text has fewer digits
+    # Text has fewer digits. In .vtp the numbers stand in their elements and not behind all others, since VTK 9.2 and
+    # earlier cannot read some of such files with today's expat (https://gitlab.kitware.com/vtk/vtk/-/issues/19258).
+    for switch in ("SetFileTypeToBinary", "SetDataModeToBinary"):
+        getattr(writer, switch, lambda: None)()
     data = surface
     if suffix == ".ply":
         data = _triangulated(surface) if surface.GetNumberOfStrips() else surface
