@@ -53,11 +53,12 @@ def open_model(path):
 
 
 def save_result(path, filter_):
-    """Saves the filter's surface. Ends the example if there is none."""
+    """Saves the filter's surface as .vtp. Ends the example if there is none."""
     filter_.UpdatePipeline()
     if filter_.GetDataInformation().GetNumberOfPoints() == 0:
         sys.exit("The filter gave no result and has said why.")
-    SaveData(path, proxy=filter_)
+    # Not appended, as by default: VTK 9.2 and earlier cannot read some of such files with today's expat.
+    SaveData(path, proxy=filter_, DataMode="Binary")
 
 
 def end():

@@ -111,6 +111,49 @@ struct LengthKey
     return this->keep == other.keep && this->upAxis == other.upAxis;
   }
 };
+
+/// What moves as a whole.
+struct MovedPart
+{
+  std::vector<int> points;
+  Triangles F; // none where all move
+};
+
+MovedPart AllPoints(Eigen::Index n)
+{
+  MovedPart all;
+  all.points.resize(n);
+  std::iota(all.points.begin(), all.points.end(), 0);
+  return all;
+}
+
+/// The points that are not fixed, and the triangles without one that is.
+MovedPart PartOf(const Triangles& F, Eigen::Index n, const std::vector<int>& fixedPoints)
+{
+  std::vector<char> fixed(n, 0);
+  for (const int i : fixedPoints)
+  {
+    fixed[i] = 1;
+  }
+  MovedPart part;
+  for (int i = 0; i < n; ++i)
+  {
+    if (!fixed[i])
+    {
+      part.points.push_back(i);
+    }
+  }
+  std::vector<int> inside;
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    if (!fixed[F(f, 0)] && !fixed[F(f, 1)] && !fixed[F(f, 2)])
+    {
+      inside.push_back(static_cast<int>(f));
+    }
+  }
+  part.F = F(inside, AllColumns);
+  return part;
+}
 }
 
 class ClosedFormStyle::State
@@ -597,45 +640,17 @@ void ClosedFormStyle::State::Yield(const ClosedFormOptions& o, const Points& mov
 void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport& report)
 {
   const Points& P0 = *this->P;
-  const int n = static_cast<int>(P0.rows());
-  std::vector<int> members;
-  Triangles measured;
   const bool moveAll = !o.HasFixedPoints(this->Part);
-  if (moveAll)
+  const MovedPart moved =
+    moveAll ? AllPoints(P0.rows()) : PartOf(*this->F, P0.rows(), o.fixedPoints);
+  const std::vector<int>& members = moved.points;
+  if (!moveAll &&
+    (this->Part.Max(members.empty() ? 0.0 : 1.0) == 0.0 ||
+      this->Part.Max(moved.F.rows() == 0 ? 0.0 : 1.0) == 0.0))
   {
-    members.resize(n);
-    std::iota(members.begin(), members.end(), 0);
+    return;
   }
-  else
-  {
-    std::vector<char> fixed(n, 0);
-    for (const int i : o.fixedPoints)
-    {
-      fixed[i] = 1;
-    }
-    for (int i = 0; i < n; ++i)
-    {
-      if (!fixed[i])
-      {
-        members.push_back(i);
-      }
-    }
-    std::vector<int> inside;
-    for (Eigen::Index f = 0; f < this->F->rows(); ++f)
-    {
-      if (!fixed[(*this->F)(f, 0)] && !fixed[(*this->F)(f, 1)] && !fixed[(*this->F)(f, 2)])
-      {
-        inside.push_back(static_cast<int>(f));
-      }
-    }
-    measured = (*this->F)(inside, AllColumns);
-    if (this->Part.Max(members.empty() ? 0.0 : 1.0) == 0.0 ||
-      this->Part.Max(inside.empty() ? 0.0 : 1.0) == 0.0)
-    {
-      return;
-    }
-  }
-  const Triangles& F0 = moveAll ? *this->F : measured;
+  const Triangles& F0 = moveAll ? *this->F : moved.F;
   this->Areas.Update({}, [&](Eigen::VectorXd& areas) { areas = PointAreas(P0, *this->F); });
   const Eigen::VectorXd& areas = this->Areas.Get();
   Eigen::RowVector4d sums = Eigen::RowVector4d::Zero(); // with the areas
