@@ -263,10 +263,11 @@ with warnings.catch_warnings(record=True) as caught:
     assert same(ss.round((flat, [[0, 1, 1]]))[0], flat)
 assert {item.category for item in caught} == {ss.StyleWarning} and caught[0].filename == __file__
 assert any("no triangle with an area" in str(item.message) for item in caught), [str(item.message) for item in caught]
-quiet = subprocess.run([sys.executable, "-c", "import sphericalstyle as ss\ntry:\n  ss.round(([[0,0,float('nan')]],"
-                        " [[0,0,0]]))\nexcept ss.Error as error:\n  print(error)"],
-                       check=True, capture_output=True, text=True)
-assert "not finite" in quiet.stdout and quiet.stderr == "", quiet
+if os.path.isfile(sys.executable):  # pvpython names a program that there is not
+    quiet = subprocess.run([sys.executable, "-c", "import sphericalstyle as ss\ntry:\n  ss.round(([[0,0,float('nan')]],"
+                            " [[0,0,0]]))\nexcept ss.Error as error:\n  print(error)"],
+                           check=True, capture_output=True, text=True)
+    assert "not finite" in quiet.stdout and quiet.stderr == "", quiet
 
 # Python's own round stays what it is, and window is found without an import of its own where there is ParaView.
 namespace = {}

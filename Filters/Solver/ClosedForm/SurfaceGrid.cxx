@@ -498,13 +498,9 @@ void SurfaceGrid::Splatter::SumSubCell(
   std::copy_n(place.data(), 3, sums.begin() + 2);
   std::copy_n(areaVector.data(), 3, sums.begin() + 5);
   std::copy_n(tangent.data(), 6, sums.begin() + 8);
-  for (int row = 0, at = 14; row < 3; ++row)
-  {
-    for (int column = row; column < 3; ++column)
-    {
-      sums[at++] = square(row, column);
-    }
-  }
+  const std::array<double, 6> squares = { square(0, 0), square(0, 1), square(0, 2), square(1, 1),
+    square(1, 2), square(2, 2) };
+  std::copy_n(squares.data(), 6, sums.begin() + 14);
   samples.sums.push_back(sums);
   samples.entryCounts.push_back(static_cast<int>(samples.points.size() - first));
 }
