@@ -498,9 +498,8 @@ void SurfaceGrid::Splatter::SumSubCell(
   std::copy_n(place.data(), 3, sums.begin() + 2);
   std::copy_n(areaVector.data(), 3, sums.begin() + 5);
   std::copy_n(tangent.data(), 6, sums.begin() + 8);
-  const std::array<double, 6> squares = { square(0, 0), square(0, 1), square(0, 2), square(1, 1),
-    square(1, 2), square(2, 2) };
-  std::copy_n(squares.data(), 6, sums.begin() + 14);
+  Eigen::Map<Eigen::Matrix<double, 1, 6>>(sums.data() + 14) << square(0, 0), square(0, 1),
+    square(0, 2), square(1, 1), square(1, 2), square(2, 2);
   samples.sums.push_back(sums);
   samples.entryCounts.push_back(static_cast<int>(samples.points.size() - first));
 }

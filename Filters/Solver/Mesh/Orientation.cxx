@@ -161,9 +161,9 @@ void JoinAcross(const Triangles& F, const SurfacePart& part, const std::vector<i
 {
   const int rank = part.processes->GetRank();
   std::vector<double> rows;
-  for (std::size_t k = 0; k < agree.size(); ++k)
+  for (const double ofPatch : agree)
   {
-    rows.insert(rows.end(), { static_cast<double>(rank), agree[k] });
+    rows.insert(rows.end(), { static_cast<double>(rank), ofPatch });
   }
   rows = part.Concatenate(rows);
   std::vector<double> all;

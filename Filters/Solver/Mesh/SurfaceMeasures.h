@@ -48,7 +48,7 @@ Points PointNormals(const Points& P, const Triangles& F, const SurfacePart& part
 /// The sums of which PointNormals takes the directions, where triangles elsewhere add to them.
 Points PointNormalSums(const Points& P, const Triangles& F);
 /// Makes directions of them.
-void NormalizeSums(Points& sums);
+void NormalizeSums(Points& normals);
 
 /// Sphericity pi^(1/3) (6 V)^(2/3) / A: 1 for a ball, less for all else. [measures]
 double Sphericity(const Points& P, const Triangles& F);
