@@ -242,8 +242,8 @@ SharedPlaces FindSharedPlaces(
         shared.points.push_back(points[k].id);
         shared.places.push_back(shared.numberOfPlaces);
         shared.copies.push_back(shared.numberOfCopies + static_cast<int>(turn));
-        shared.isFirst.push_back(counts && turn == 0);
-        shared.counts[points[k].id] = counts;
+        shared.isFirst.push_back(counts && turn == 0 ? 1 : 0);
+        shared.counts[points[k].id] = counts ? 1 : 0;
       }
     }
     ++shared.numberOfPlaces;
