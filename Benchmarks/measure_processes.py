@@ -8,7 +8,7 @@ The creature of Data/ with its edges halved, in slices over the processes; each 
 a processor works, in milliseconds, with one thread, the least of several: rounded alone by the first process; spread,
 the sum of all processes; the same again with another Roundness. Waiting for others counts as work. Memory is the peak
 of an execution above what the process had before it, in MB: alone; spread, that of the process with most, and the mean.
-Then the most kB that a process has sent and received.
+A process keeps memory, so measure one size at a time for it. Then the most kB that a process has sent and received.
 """
 import argparse
 import pathlib
@@ -117,10 +117,10 @@ def main():
 
         def least(data, mpi, again=False):
             return min((execute(data, mpi, arguments, again) for _ in range(arguments.repeat)), key=lambda run: run[0])
-        # The others wait meanwhile.
-        alone, memory_alone, _ = least(whole if RANK == 0 else vtkPolyData(), None)
         spread, memory_spread, exchanged = least(piece, controller)
         again, _, _ = least(piece, controller, True)
+        # The others wait meanwhile.
+        alone, memory_alone, _ = least(whole if RANK == 0 else vtkPolyData(), None)
         spread, again, mean = (over_all(value, vtkCommunicator.SUM_OP) for value in (spread, again, memory_spread))
         most = over_all(memory_spread, vtkCommunicator.MAX_OP)
         if RANK == 0:

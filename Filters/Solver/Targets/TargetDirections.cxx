@@ -102,7 +102,9 @@ Sphere SphereOfPart(const Points& P, const Triangles& F, const std::vector<int>&
   Sphere given = custom;
   if (center == CenterMode::PointMean)
   {
-    given.center = PointMean(P(points, AllColumns), apart);
+    Eigen::Vector3d sum = P(points, AllColumns).colwise().sum();
+    part.Sum(sum);
+    given.center = sum / sizes(0);
     center = CenterMode::Custom;
   }
   if ((center == CenterMode::AreaCentroid || radius != RadiusMode::Custom) && sizes(1) == 0.0)
