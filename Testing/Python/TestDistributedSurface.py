@@ -568,10 +568,10 @@ def check_time_series():
     spread, alone = Style(), Style()
     alone.SetController(None)
     heights = []
-    for filter_, surface in ((spread, piece.data), (alone, creature)):
+    sources = [Growing(surface) for surface in (piece.data, creature)]
+    for filter_, source in zip((spread, alone), sources):
         filter_.SetRoundness(1.0)
-        filter_.source = Growing(surface)
-        filter_.SetInputConnection(filter_.source.GetOutputPort())
+        filter_.SetInputConnection(source.GetOutputPort())
     for time in (0.0, 2.0, 1.0, 0.0):
         for filter_ in (spread, alone):
             filter_.UpdateTimeStep(time)
