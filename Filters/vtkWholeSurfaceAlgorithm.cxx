@@ -165,6 +165,7 @@ private:
 };
 
 /// @return the inputs with surfaces that have no empty arrays, or nullptr where they have none
+/// @throw std::bad_alloc
 std::unique_ptr<Inputs> WithoutEmptyArrays(vtkInformationVector** original, int ports)
 {
   std::unique_ptr<Inputs> inputs;
@@ -186,6 +187,20 @@ std::unique_ptr<Inputs> WithoutEmptyArrays(vtkInformationVector** original, int 
     }
   }
   return inputs;
+}
+
+/// WithoutEmptyArrays; where memory ends they stay, and will be refused.
+std::unique_ptr<Inputs> Needed(vtkAlgorithm* self, vtkInformationVector** original, int ports)
+{
+  try
+  {
+    return WithoutEmptyArrays(original, ports);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(self, << "leaving out empty arrays: " << error.what());
+    return nullptr;
+  }
 }
 
 /// Puts the wholes, and the marks as a selection, in the place of the parts. @return the model
@@ -352,15 +367,7 @@ int vtkWholeSurfaceAlgorithm::RequestData(
 {
   const int ports = this->GetNumberOfInputPorts();
   const auto held = Held(original, ports);
-  std::unique_ptr<Inputs> without;
-  try
-  {
-    without = WithoutEmptyArrays(original, ports);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< "leaving out empty arrays: " << error.what()); // so they will be refused
-  }
+  const std::unique_ptr<Inputs> without = Needed(this, original, ports);
   vtkInformationVector** inputVector = without ? without->Get() : original;
   if (!this->Internal->Gathers)
   {

@@ -180,9 +180,8 @@ struct PointElsewhere
   int id;
   bool ghost;
 };
-}
-
-SharedPlaces FindSharedPlaces(
+/// The points of all processes near others, those at one place after each other.
+std::vector<PointElsewhere> PointsOfAll(
   const Points& x, const std::vector<char>& ghost, const Processes& processes)
 {
   SurfacePart everybody;
@@ -209,26 +208,51 @@ SharedPlaces FindSharedPlaces(
   std::sort(points.begin(), points.end(),
     [](const PointElsewhere& a, const PointElsewhere& b)
     { return std::tie(a.place, a.rank, a.id) < std::tie(b.place, b.rank, b.id); });
+  return points;
+}
 
+/// Of points at one place, those that are one: the first of each process, the second, ...
+struct Turns
+{
+  std::vector<std::size_t> owners; ///< the point that counts, of each turn
+  std::vector<std::size_t> of;     ///< the turn of each point
+};
+
+Turns TurnsOf(const std::vector<PointElsewhere>& points, std::size_t begin, std::size_t end)
+{
+  Turns turns;
+  for (std::size_t k = begin; k < end; ++k)
+  {
+    const bool again = k > begin && points[k].rank == points[k - 1].rank;
+    turns.of.push_back(again ? turns.of.back() + 1 : 0);
+    const std::size_t turn = turns.of.back();
+    if (turn == turns.owners.size())
+    {
+      turns.owners.push_back(k);
+    }
+    else if (points[turns.owners[turn]].ghost && !points[k].ghost)
+    {
+      turns.owners[turn] = k;
+    }
+  }
+  return turns;
+}
+}
+
+SharedPlaces FindSharedPlaces(
+  const Points& x, const std::vector<char>& ghost, const Processes& processes)
+{
+  const int rank = processes.GetRank();
+  const std::vector<PointElsewhere> points = PointsOfAll(x, ghost, processes);
   SharedPlaces shared;
   shared.counts.assign(x.rows(), 1);
   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
   {
-    std::vector<std::size_t> owners; // of the first at this place, of the second, ...
-    std::vector<std::size_t> turnOf;
-    for (; end < points.size() && points[end].place == points[begin].place; ++end)
+    while (end < points.size() && points[end].place == points[begin].place)
     {
-      const bool again = end > begin && points[end].rank == points[end - 1].rank;
-      turnOf.push_back(again ? turnOf.back() + 1 : 0);
-      if (turnOf.back() == owners.size())
-      {
-        owners.push_back(end);
-      }
-      else if (points[owners[turnOf.back()]].ghost && !points[end].ghost)
-      {
-        owners[turnOf.back()] = end;
-      }
+      ++end;
     }
+    const auto [owners, turnOf] = TurnsOf(points, begin, end);
     if (points[begin].rank == points[end - 1].rank)
     {
       continue;
