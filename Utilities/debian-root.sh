@@ -41,6 +41,7 @@ in_debian()
   # shellcheck disable=SC2016 # the inner shell expands these
   unshare --mount ${alone:+--net} sh -ec '
     root=$1 shared=$2 alone=$3; shift 3
+    mount --bind "$root" "$root" # a mount point: unshare in the system, for a system in it, needs one
     mount -t proc proc "$root/proc"
     mount -t sysfs -o ro sysfs "$root/sys"
     mkdir -p "$root/dev/shm"
