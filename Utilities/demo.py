@@ -9,8 +9,8 @@ import pathlib
 import sys
 import time
 
-from sphericalstyle import Error
-from sphericalstyle.model_files import place_in, read, triangle_count, write_surface
+from sphericalstyle import Error, presets
+from sphericalstyle.model_files import place_in, read, triangle_count, write
 from sphericalstyle.model_pictures import before_after, picture
 from sphericalstyle.rounding import execute
 
@@ -31,18 +31,19 @@ def demo(arguments):
           f"{triangle_count(surface)} triangles, rounded in {seconds:.2f} s")
     messages.print_warnings()
 
+    files = {
+        kind: place_in(folder, f"{arguments.mesh.stem}-{kind}")
+        for kind in ("rounded.vtp", "rounded.ply", "before-after.png", "presets.png", "series.png")
+    }
+    write(files["rounded.vtp"], result)
+    write(files["rounded.ply"], result)
+    before_after(files["before-after.png"], surface, style, arguments.up, arguments.view)
+    panels = [(surface, "model")] + [(execute(surface, preset=name)[0].GetOutput(), name) for name in presets.PRESETS]
+    picture(files["presets.png"], (2000, 1100), [panels[:4], panels[4:]], arguments.up, arguments.view, 20, ground=True)
     series = [[(execute(surface, roundness=roundness, normal_blend=blend)[0].GetOutput(),
                 f"Roundness {roundness:g}, {becomes} ({blend:g})") for roundness in SERIES_ROUNDNESS]
               for blend, becomes in SERIES_NORMAL_BLEND.items()]
-
-    files = {
-        kind: place_in(folder, f"{arguments.mesh.stem}-{kind}")
-        for kind in ("rounded.vtp", "rounded.ply", "before-after.png", "series.png")
-    }
-    write_surface(files["rounded.vtp"], result)
-    write_surface(files["rounded.ply"], result)
-    before_after(files["before-after.png"], surface, style, arguments.up, arguments.view)
-    picture(files["series.png"], (2000, 1350), series, arguments.up, arguments.view, 18)
+    picture(files["series.png"], (2000, 1350), series, arguments.up, arguments.view, 18, ground=True)
     for file in files.values():
         print(f"  {file}")
 

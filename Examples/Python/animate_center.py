@@ -23,7 +23,7 @@ from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
 
 from sphericalstyle import Error
 from sphericalstyle.messages import Messages
-from sphericalstyle.model_files import read, whole, write
+from sphericalstyle.model_files import read, run_writer, whole
 from sphericalstyle.model_pictures import image_of
 from sphericalstyle.rounding import execute
 
@@ -64,7 +64,7 @@ class Pictures:
 
     def add(self, image):
         with whole(self.folder / f"{self.count:04d}.png") as part:
-            write(vtkPNGWriter(), part, image)
+            run_writer(vtkPNGWriter(), part, image)
         self.count += 1
 
     def end(self):

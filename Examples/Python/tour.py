@@ -15,13 +15,12 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import sphericalstyle as ss
-from sphericalstyle.model_files import read
 from sphericalstyle.model_pictures import picture
 
 model = pathlib.Path(sys.argv[1])
 folder = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else "tour")
 folder.mkdir(parents=True, exist_ok=True)
-mesh = read(model)
+mesh = ss.read(model)
 points = vtk_to_numpy(mesh.GetPoints().GetData())
 
 

@@ -1,7 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # The classes of the filters are in SphericalStyleFilters.pyi, which the build writes.
+import os
 from typing import Any, Literal, Optional, Sequence, TypeVar, Union
+
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import presets as presets
 from .SphericalStyleFilters import *
@@ -55,3 +58,5 @@ def round(
     center_id: Optional[_Array] = ...,
     centers: Optional[_Array] = ...,
 ) -> _Mesh: ...
+def read(path: Union[str, os.PathLike[str]]) -> vtkPolyData: ...
+def write(path: Union[str, os.PathLike[str]], mesh: Any) -> None: ...

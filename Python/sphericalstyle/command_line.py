@@ -18,7 +18,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from . import __version__, model_files, presets
 from .messages import Error, printable
-from .model_files import READERS, WRITERS, largest_move, place_in, read, whole, write_surface
+from .model_files import READERS, WRITERS, cannot_write, largest_move, place_in, read, whole, write
 from .properties import closest, properties
 from .rounding import ARRAYS, execute, make
 
@@ -190,8 +190,7 @@ def _plan(parser, arguments):
         and (arguments.output is None or output.suffix.lower() in WRITERS)
     if is_file:
         if output.suffix.lower() not in WRITERS:
-            parser.error(f"{printable(output)}: cannot write files"
-                         f" {printable(output.suffix) or 'without an ending'}; known: {' '.join(sorted(WRITERS))}")
+            parser.error(cannot_write(output))
         if output.resolve() == inputs[0].resolve():
             parser.error("OUTPUT has to be another file than INPUT")
         return [Job(str(inputs[0]), inputs[0], None, output, arguments.picture)]
@@ -230,7 +229,7 @@ def round_one(job, keywords, view=0.0, progress=None):
     target = place_in(job.folder, job.target) if job.folder else job.target
     style, messages = execute(surface, progress=progress, **keywords)
     result = style.GetOutput()
-    write_surface(target, result)
+    write(target, result)
     if job.picture:
         from .model_pictures import before_after  # the program starts without OpenGL
 

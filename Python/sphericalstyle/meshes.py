@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
 
 
-def take(mesh):
+def take(mesh, function="round"):
     """@return the mesh for VTK, and a function that makes a mesh of its kind of a result"""
     if isinstance(mesh, vtkDataObject):
         pyvista = sys.modules.get("pyvista")
@@ -21,7 +21,7 @@ def take(mesh):
         points, faces = mesh
         surface = surface_of(points, faces)
         return surface, lambda result: (_points(result), _faces(faces, surface, result))
-    raise TypeError(f"round() takes a vtkPolyData, a PyVista mesh, an object with vertices and faces, or a tuple"
+    raise TypeError(f"{function}() takes a vtkPolyData, a PyVista mesh, an object with vertices and faces, or a tuple"
                     f" (points, faces), and not a {type(mesh).__name__}")
 
 

@@ -4,8 +4,10 @@
 reader or writer."""
 import contextlib
 import os
+import pathlib
 
 import vtkmodules.vtkIOGeometry as geometry
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import (vtkBYUReader, vtkBYUWriter, vtkGLTFReader, vtkGLTFWriter, vtkIVWriter,
@@ -14,6 +16,7 @@ from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader, vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
+from . import meshes
 from .messages import Error, Messages, printable
 
 READERS = {
@@ -73,7 +76,9 @@ def whole(place):
 
 
 def read(path):
-    """The surface in the file. Raises a ModelError that says why if there is none."""
+    """The surface in a file, as a vtkPolyData. The ending of the name is the format: .ply, .stl, .obj, .vtk, .vtp, .glb,
+    .gltf, .byu, with newer versions of VTK also .off. Raises a sphericalstyle.Error that says why if there is none."""
+    path = pathlib.Path(path)
     name, suffix = printable(path), path.suffix.lower()
     if suffix not in READERS:
         suffix = printable(suffix)
@@ -115,7 +120,7 @@ def largest_move(surface):
     return surface.GetPointData().GetArray("Displacement").GetRange(-1)[1]
 
 
-def write(writer, path, data):
+def run_writer(writer, path, data):
     """Writes the data with a VTK writer."""
     messages = Messages(writer)
     _set_file_name(writer, path)
@@ -126,9 +131,17 @@ def write(writer, path, data):
         raise ModelError(f"{printable(path)}: cannot be written")
 
 
-def write_surface(place, surface):
-    """Writes a surface in the format of the name's ending, whole or not at all."""
-    suffix = place.suffix.lower()
+def write(path, mesh):
+    """Writes a mesh of any kind that sphericalstyle.round takes, whole or not at all. The ending of the name is the
+    format: .ply, .stl, .obj, .vtk, .vtp, .glb, .gltf, .byu or .iv. A file that exists is replaced. Raises a
+    sphericalstyle.Error that says why if it cannot be written."""
+    path = pathlib.Path(path)
+    surface, _ = meshes.take(mesh, "write")
+    name, suffix = printable(path), path.suffix.lower()
+    if suffix not in WRITERS:
+        raise ModelError(cannot_write(path))
+    if not isinstance(surface, vtkPolyData):
+        raise ModelError(f"{name}: a {surface.GetClassName()} is not a surface (vtkPolyData)")
     writer = WRITERS[suffix]()
     # Text has fewer digits. In .vtp the numbers stand in their elements and not behind all others, since VTK 9.2 and
     # earlier cannot read some of such files with today's expat (https://gitlab.kitware.com/vtk/vtk/-/issues/19258).
@@ -138,17 +151,26 @@ def write_surface(place, surface):
     if suffix == ".ply":
         data = _triangulated(surface) if surface.GetNumberOfStrips() else surface
         _choose_colors(writer, surface)
-    elif is_gltf(place):
-        data = _gltf_blocks(_triangulated(surface))
-        for switch in ("InlineDataOn", "SaveActivePointColorOn"):
+    elif is_gltf(path):
+        data = _gltf_blocks(_with_float_colors(_triangulated(surface)))
+        switches = ["InlineDataOn"]
+        if surface.GetPointData().GetScalars():
+            switches.append("SaveActivePointColorOn")
+        for switch in switches:
             getattr(writer, switch, lambda: None)()
-    with whole(place) as part:
+    with whole(path) as part:
         try:
-            write(writer, part, data)
+            run_writer(writer, part, data)
         except ModelError as error:
-            raise ModelError(str(error).replace(printable(part), printable(place), 1)) from None
+            raise ModelError(str(error).replace(printable(part), name, 1)) from None
         if not part.is_file() or suffix == ".glb" and not _starts_with(part, b"glTF"):
-            raise ModelError(f"{printable(place)}: this version of VTK cannot write {suffix}")
+            raise ModelError(f"{name}: this version of VTK cannot write {suffix}")
+
+
+def cannot_write(path):
+    """Why a file with this ending cannot be written."""
+    return (f"{printable(path)}: cannot write files {printable(path.suffix) or 'without an ending'};"
+            f" known: {' '.join(sorted(WRITERS))}")
 
 
 def is_gltf(path):
@@ -184,6 +206,19 @@ def _gltf_blocks(surface):
     building.SetBlock(0, surface)
     buildings.SetBlock(0, building)
     return buildings
+
+
+def _with_float_colors(surface):
+    """The surface with colors of bytes as shares of one: VTK 9.6 writes bytes that no program can read."""
+    colors = surface.GetPointData().GetScalars()
+    if colors is None or colors.GetClassName() != "vtkUnsignedCharArray":
+        return surface
+    shares = numpy_to_vtk(vtk_to_numpy(colors).astype("float32") / 255, deep=True)
+    shares.SetName(colors.GetName())
+    copy = vtkPolyData()
+    copy.ShallowCopy(surface)
+    copy.GetPointData().SetScalars(shares)
+    return copy
 
 
 def _choose_colors(writer, surface):

@@ -15,7 +15,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkLightKit, vtkPolyDataMapper, vtkRenderer,
                                          vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
 
-from .model_files import ModelError, write
+from .model_files import ModelError, run_writer
 
 CLAY = (0.88, 0.62, 0.47)
 INK = (0.25, 0.22, 0.20)
@@ -131,7 +131,7 @@ def lines_of(lines):
 
 def picture(path, size, panels, up, view, points, **options):
     """Write a PNG of panels; see image_of."""
-    write(vtkPNGWriter(), path, image_of(size, panels, up, view, points, **options))
+    run_writer(vtkPNGWriter(), path, image_of(size, panels, up, view, points, **options))
 
 
 def before_after(path, model, style, up, view):

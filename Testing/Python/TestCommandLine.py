@@ -63,7 +63,7 @@ def rounded(surface, **keywords):
 
 
 # --------------------------------------------------------------------------------------------- one model, all formats
-surface = model_files.read(creature)
+surface = ss.read(creature)
 count = surface.GetNumberOfPoints()
 colored = vtkPolyData()
 colored.ShallowCopy(surface)
@@ -82,13 +82,13 @@ readable = [suffix[1:] for suffix in model_files.WRITERS if suffix in model_file
 assert {"ply", "stl", "obj", "vtk", "vtp", "gltf", "byu"} <= set(readable)
 for format_ in readable:
     try:
-        model_files.write_surface(output / f"model.{format_}", colored)
+        ss.write(output / f"model.{format_}", colored)
     except model_files.ModelError as error:
         assert format_ == "glb" and "this version of VTK cannot write" in str(error), error
         continue
-    model = model_files.read(output / f"model.{format_}")
+    model = ss.read(output / f"model.{format_}")
     run_well(output / f"model.{format_}", output / f"round.{format_}", "--roundness", 2, "--preset", "Soft", "--quiet")
-    result = model_files.read(output / f"round.{format_}")
+    result = ss.read(output / f"round.{format_}")
     expected = rounded(model, preset="Soft", roundness=2.0)
     assert np.allclose(points(result), expected, rtol=0.0, atol=tolerance.get(format_, 0.0)), format_
     assert result.GetNumberOfPolys() == model.GetNumberOfPolys(), format_
@@ -97,8 +97,8 @@ for format_ in readable:
         assert format_ not in ("vtk", "vtp") or array, (format_, name)
         if array:
             assert np.allclose(vtk_to_numpy(array), vtk_to_numpy(kept), atol=1e-4), (format_, name)
-assert model_files.read(output / "round.ply").GetPointData().HasArray("RGB")
-assert model_files.read(output / "round.obj").GetPointData().GetTCoords()
+assert ss.read(output / "round.ply").GetPointData().HasArray("RGB")
+assert ss.read(output / "round.obj").GetPointData().GetTCoords()
 
 # OBJ files with normals that no face names, and without those that faces name: VTK's reader makes arrays of one value
 # and of none for five points.
@@ -112,7 +112,7 @@ for count_, text in ((1, corners + "vn 0 0 1\nf 1 2 3\nf 1 3 4\nf 1 2 5\nf 4 1 5
     reader.Update()
     assert reader.GetOutput().GetPointData().GetNormals().GetNumberOfTuples() == count_
     run_well(bare, output / "bare.ply", "--refine-long-edges", "Off")
-    assert model_files.read(output / "bare.ply").GetNumberOfPoints() == 5
+    assert ss.read(output / "bare.ply").GetNumberOfPoints() == 5
 none = reader.GetOutput()
 assert none.GetPointData().GetNormals() and not ss.round(none).GetPointData().GetNormals(), "not only for files"
 
@@ -127,7 +127,7 @@ assert report["properties"]["center"] == [0, 0.5, -1] and report["properties"]["
 assert report["properties"]["roundness"] == style.GetRoundness() and set(report["properties"]) == set(properties.properties())
 assert model["result"] == "rounded" and model["points"] == count and model["output"] == str(output / "a.vtp")
 assert np.allclose(model["center"], [0, 0.5, -1]) and model["largest_move"] > 0 and model["warnings"] == []
-assert np.array_equal(points(model_files.read(output / "a.vtp")), rounded(surface, center=(0, 0.5, -1)))
+assert np.array_equal(points(ss.read(output / "a.vtp")), rounded(surface, center=(0, 0.5, -1)))
 done = run_well(creature, output / "a.vtp", "--quiet", "--report", output / "a.csv")
 assert done.stdout == done.stderr == "", done
 with open(output / "a.csv", newline="", encoding="utf-8") as file:
@@ -211,12 +211,12 @@ assert table[0].split() == ["model", "points", "new", "points", "largest", "move
 assert [line.split()[0] for line in table[1:]] == ["below/creature.ply", "broken.vtp", "creature.vtp"], table
 report = json.loads((output / "all.json").read_text(encoding="utf-8"))
 assert [model["result"] == "rounded" for model in report["models"]] == [True, False, True]
-assert np.array_equal(points(model_files.read(output / "all" / "creature.vtp")), rounded(surface))
+assert np.array_equal(points(ss.read(output / "all" / "creature.vtp")), rounded(surface))
 done = run(models, output / "ply", "--format", "ply", "--quiet", "--processes", 1)
 assert done.returncode == 1 and done.stdout == "" and "broken.vtp: " in done.stderr, done
 assert [file.name for file in (output / "ply").iterdir()] == ["creature.vtp.ply"]
 run_well(creature, output / "model.ply", "--output", output / "two", "--roundness", 0)
-assert np.array_equal(points(model_files.read(output / "two" / "creature.vtp")), points(surface))
+assert np.array_equal(points(ss.read(output / "two" / "creature.vtp")), points(surface))
 refused("would both be written to", creature, models / "creature.vtp", "--output", output / "twice")
 refused("would replace the model", creature, "--output", data)
 if (output / "linked").mkdir() is None:

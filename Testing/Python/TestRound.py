@@ -11,6 +11,7 @@ import doctest
 import inspect
 import io
 import os
+import pathlib
 import re
 import subprocess
 import sys
@@ -26,7 +27,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import FilterTable
 import sphericalstyle as ss
-from sphericalstyle import meshes, presets, properties, rounding
+from sphericalstyle import meshes, model_files, presets, properties, rounding
 
 data = os.path.abspath(sys.argv[1])
 
@@ -61,10 +62,10 @@ def same(a, b):
     return a.shape == b.shape and a.dtype == b.dtype and np.array_equal(a, b)
 
 
-def fails(kind, words, *arguments, **keywords):
-    """round() raises exactly this kind of exception, with these words."""
+def fails(kind, words, *arguments, of=ss.round, **keywords):
+    """round(), or another function, raises exactly this kind of exception, with these words."""
     try:
-        ss.round(*arguments, **keywords)
+        of(*arguments, **keywords)
     except Exception as error:
         assert type(error) is kind, (kind, repr(error))
         assert words in str(error), (words, str(error))
@@ -194,7 +195,9 @@ assert signature["keep_size"].default == "Area" and signature["roundness"].defau
 
 # The types for editors say the same.
 with open(os.path.join(os.path.dirname(ss.__file__), "__init__.pyi"), encoding="utf-8") as file:
-    function, = (node for node in ast.parse(file.read()).body if isinstance(node, ast.FunctionDef))
+    functions = {node.name: node for node in ast.parse(file.read()).body if isinstance(node, ast.FunctionDef)}
+assert set(functions) == {"round", "read", "write"} and all(callable(getattr(ss, name)) for name in functions)
+function = functions["round"]
 assert [argument.arg for argument in function.args.kwonlyargs] == list(signature)[1:]
 for argument in function.args.kwonlyargs:
     words = re.findall(r"'(\w+)'", ast.unparse(argument.annotation))
@@ -259,6 +262,22 @@ fails(ss.Error, "not a surface (vtkPolyData)", vtkUnstructuredGrid())
 flat = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
 fails(ss.Error, "KeepSize", (flat, [[0, 1, 2]]), keep_size="Volume")
 
+# --------------------------------------------------------------------------------------------------------------- files
+with tempfile.TemporaryDirectory() as folder:
+    place = pathlib.Path(folder) / "round.vtp"
+    ss.write(place, creature)
+    assert same(points(ss.read(str(place))), points(creature))
+    ss.write(os.path.join(folder, "arrays.ply"), (P, F))
+    again = ss.read(os.path.join(folder, "arrays.ply"))
+    assert np.allclose(points(again), P, atol=1e-6) and again.GetNumberOfPolys() == len(F)
+    for path, words in (("nothing.ply", "no such file"), ("round.xyz", "cannot read files .xyz; known: ")):
+        fails(model_files.ModelError, words, os.path.join(folder, path), of=ss.read)
+    fails(model_files.ModelError, "cannot write files .xyz; known: ", os.path.join(folder, "round.xyz"), creature,
+          of=ss.write)
+    fails(model_files.ModelError, "a vtkUnstructuredGrid is not a surface", place, vtkUnstructuredGrid(), of=ss.write)
+    fails(TypeError, "write() takes a vtkPolyData", place, 3, of=ss.write)
+    assert sorted(os.listdir(folder)) == ["arrays.ply", "round.vtp"]
+
 # A warning is Python's, and nothing is printed: not for an error either.
 with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
@@ -274,7 +293,7 @@ if os.path.isfile(sys.executable):  # pvpython names a program that there is not
 # Python's own round stays what it is, and window is found without an import of its own where there is ParaView.
 namespace = {}
 exec("from sphericalstyle import *", namespace)
-assert "round" not in namespace and "vtkSphericalStyleFilter" in namespace and "presets" in namespace
+assert not {"round", "read", "write"} & set(namespace) and "vtkSphericalStyleFilter" in namespace and "presets" in namespace
 try:
     ss.nothing
     raise SystemExit("there is no such attribute")
