@@ -5,6 +5,11 @@
 /// Skipped where addresses cannot be limited, which is also so with sanitizers.
 #include "FaultTesting.h"
 
+#include "vtkSMPTools.h"
+
+#include <chrono>
+#include <thread>
+
 #if defined(__linux__) && !defined(SANITIZED) // a sanitizer takes terabytes of addresses
 #define LIMITS_MEMORY
 #include <csignal>
@@ -40,6 +45,20 @@ void LimitAddressSpace(rlim_t bytes)
   setrlimit(RLIMIT_AS, &limit);
 }
 
+/// A thread of VTK that gets no stack is beyond what a filter can report, and oneTBB then waits for
+/// it forever. So all threads are there before memory gets short.
+void StartThreadsOfVTK()
+{
+  struct Nap
+  {
+    void operator()(vtkIdType, vtkIdType)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1)); // so that every thread gets some
+    }
+  } nap;
+  vtkSMPTools::For(0, 8 * vtkIdType{ vtkSMPTools::GetEstimatedNumberOfThreads() }, 1, nap);
+}
+
 /// What the child process does, and its exit code.
 int RunShort(const Subject& subject, vtkPolyData* input, rlim_t more)
 {
@@ -54,6 +73,7 @@ int RunShort(const Subject& subject, vtkPolyData* input, rlim_t more)
   Watch(filter->GetExecutive(), vtkCommand::ErrorEvent, others);
   filter->SetInputData(input);
   filter->UpdateInformation();
+  StartThreadsOfVTK();
   malloc_trim(0);
   LimitAddressSpace(AddressSpace() + more);
   filter->Update();
