@@ -4,8 +4,8 @@
 
     PYTHONPATH=BUILD/lib/python3/dist-packages pvpython make_pictures.py [NAME ...]
 
-NAME: pictures to make, as car for car.png; all without one. presets.png, van.png and wall.png need the
-folder of real models SPHERICALSTYLE_MODELS, and stay as they are without. dragging.png is made by
+NAME: pictures to make, as car for car.png; all without one. presets.png, gallery-*.png, van.png and wall.png
+need the folder of real models SPHERICALSTYLE_MODELS, and stay as they are without. dragging.png is made by
 Testing/Window/drag.py --strip.
 """
 import os
@@ -33,9 +33,10 @@ BLUE, YELLOW, RED = (0.16, 0.27, 0.62), (0.98, 0.84, 0.20), (0.80, 0.12, 0.10)
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-sys.path.insert(0, str(ROOT / "Testing" / "Python"))
+sys.path[:0] = [str(ROOT / "Testing" / "Python"), str(ROOT / "Testing" / "Quality")]
 
 import FilterTable  # noqa: E402
+import pictures  # noqa: E402
 import sphericalstyle  # noqa: E402
 from sphericalstyle import model_files, model_pictures, presets  # noqa: E402
 from sphericalstyle import (  # noqa: E402
@@ -97,7 +98,8 @@ PLAIN = {"NormalBlend": 0.0, "DetailSize": 0.0, "KeepSize": vtkSphericalStyleFil
 creature = model_files.read(ROOT / "Data" / "creature.vtp")
 cube = model_files.read(ROOT / "Data" / "cube.vtp")
 
-picture("before-after.png", (1000, 560), [[(creature, "before"), (rounded(creature), "after")]], 25.0, 17)
+picture("before-after.png", (1000, 560), [[(creature, "before"), (rounded(creature), "after")]], 25.0, 17,
+        ground=True)
 
 picture("series.png", (1200, 810), [
     [(creature, "model")] + [
@@ -127,16 +129,53 @@ def of_size_one(surface, length):
     return scale.GetOutput()
 
 
-def preset_row(surface, view):
-    return [(of_size_one(result, surface.GetLength()), label, None, view) for result, label in
-            [(surface, "model")] + [(preset(surface, name), name) for name in presets.PRESETS]]
+def presets_of(surface, label):
+    return [(of_size_one(result, surface.GetLength()), words) for result, words in
+            [(surface, label)] + [(preset(surface, name), name) for name in presets.PRESETS]]
 
 
-# Real models in the public domain; the page names their sources.
-if (MODELS / "spot.ply").is_file() and wanted("presets.png"):
-    picture("presets.png", (1500, 600), [preset_row(model_files.read(path), view) for path, view in (
-        (ROOT / "Data" / "creature.vtp", 25.0), (MODELS / "spot.ply", 215.0), (MODELS / "nefertiti.ply", 25.0))],
-        25.0, 12)
+def gallery(name, models, make_row=presets_of):
+    """A picture with a row for each model, seen from its front. The page names the sources of the real ones."""
+    files = [path for path in (MODELS / f"{model}.ply" if "/" not in model else ROOT / f"{model}.vtp" for model in models)]
+    if not wanted(name) or not all(file.is_file() for file in files):
+        return
+    rows = []
+    for file in files:
+        up, view = pictures.VIEWS.get(file.stem, ("y", 25.0))
+        row = make_row(model_files.read(file), file.stem)
+        strip = HERE / "pictures" / "strip.png"
+        model_pictures.picture(strip, (190 * len(row), 215), [row], up, view, 12, ground=True)
+        rows.append(Image.open(strip).convert("RGB"))
+        strip.unlink()
+    sheet = Image.new("RGB", (rows[0].width, sum(row.height for row in rows)), "white")
+    for k, row in enumerate(rows):
+        sheet.paste(row, (0, k * row.height))
+    sheet.save(HERE / "pictures" / name)
+    quantize(HERE / "pictures" / name)
+
+
+gallery("presets.png", ["Data/creature", "spot", "nefertiti"])
+gallery("gallery-characters.png", ["Data/creature", "spot", "koala", "human-parts"])
+gallery("gallery-busts.png", ["nefertiti", "demosthenes-bust", "skull"])
+gallery("gallery-things.png", ["boot", "goblet-vase", "wingnut", "Data/stone-house"])
+gallery("gallery-machines.png", ["car", "lidar-sensor", "plane-holes", "Data/car"])
+
+# How to
+picture("how-to-face.png", (1000, 370), [[(creature, "model")] + [
+    (rounded(creature, Roundness=2.0, DetailSize=size), f"Detail Size {size:g}") for size in (0.02, 0.06, 0.12)]],
+    25.0, 13, ground=True)
+picture("how-to-limbs.png", (1000, 370), [[
+    (creature, "model"), (rounded(creature, NormalBlend=0.0), "Limbs 0"), (preset(creature, "Chibi"), "Limbs 1, Chibi"),
+    (preset(creature, "Puffy"), "Puffy")]], 25.0, 13, ground=True)
+middle = 0.5 * sum(creature.GetBounds()[2:4])
+upper = numpy_support.vtk_to_numpy(creature.GetPoints().GetData())[:, 1] > middle
+picture("how-to-part.png", (600, 370), [[
+    (creature, "model"), (sphericalstyle.round(creature, region=upper, roundness=2, border_width=0.1), "upper half")]],
+    25.0, 13, ground=True)
+a_car = model_files.read(ROOT / "Data" / "car.vtp")
+picture("how-to-car.png", (1000, 300), [[
+    (a_car, "model"), (rounded(a_car), "defaults"), (preset(a_car, "Soft"), "Soft"),
+    (proxied(a_car, Blend=0.5), "Convex Proxy Deform")]], 40.0, 13, ground=True)
 
 
 def points_of(surface):
