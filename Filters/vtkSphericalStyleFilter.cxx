@@ -447,8 +447,9 @@ void vtkSphericalStyleFilter::Review(Internals& internal, const Execution& e)
   {
     return;
   }
-  const vtkStyleReview::Remarks remarks = internal.Review.Review(
-    e.Surface(), internal.Solver.GetMeshGeneration(), e.Q, e.Options, e.Report);
+  const vtkStyleReview::Remarks remarks =
+    internal.Review.Review(e.Surface(), internal.Solver.GetMeshGeneration(), e.Q, e.Options,
+      e.Report, { !this->AvoidSelfIntersections, this->RefineLongEdges == vtkLongEdges::NEVER });
   Warn(this, remarks.Thinned);
   this->Advice =
     this->ReproduceThesis || !e.IsFirst() ? "" : remarks.Advice; // the thesis is to be as it is

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqNotice.h"
 
+#include "pqPropertiesPanel.h"
+#include "pqShownValue.h"
 #include "vtkCommand.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
 
 #include <QLabel>
+#include <QPushButton>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 
 pqNotice::pqNotice(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parentWidget)
@@ -15,11 +20,13 @@ pqNotice::pqNotice(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* pa
   , Text(smgroup->GetProperty("Text"))
   , Title(smgroup->GetXMLLabel())
   , Label(new QLabel(this))
+  , Button(new QPushButton(this))
 {
   this->setShowLabel(false);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(this->Label);
+  layout->addWidget(this->Button, 0, Qt::AlignLeft);
   this->Label->setObjectName("Text");
   this->Label->setWordWrap(true);
   this->Label->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -30,17 +37,46 @@ pqNotice::pqNotice(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* pa
   this->Label->setAutoFillBackground(true);
   this->Label->setBackgroundRole(QPalette::ToolTipBase);
   this->Label->setForegroundRole(QPalette::ToolTipText);
-  this->Observer = this->Text->AddObserver(vtkCommand::ModifiedEvent, this, &pqNotice::updateText);
+  this->Button->setObjectName("Follow");
+  QObject::connect(this->Button, &QPushButton::clicked, this, &pqNotice::follow);
+  this->Observers.add(this->Text, vtkCommand::ModifiedEvent, this, &pqNotice::updateText);
   this->updateText();
-}
-
-pqNotice::~pqNotice()
-{
-  this->Text->RemoveObserver(this->Observer);
 }
 
 void pqNotice::updateText()
 {
-  const QString text = vtkSMPropertyHelper(this->Text).GetAsString();
+  static const QRegularExpression advice("^(\\w+) (\\S+): (.*)$");
+  QString text = vtkSMPropertyHelper(this->Text).GetAsString();
+  const QRegularExpressionMatch match = advice.match(text);
+  this->Advised =
+    match.hasMatch() ? this->proxy()->GetProperty(match.captured(1).toUtf8()) : nullptr;
+  if (this->Advised)
+  {
+    text = match.captured(3);
+    this->Value = pqShownValue::fromText(this->Advised, match.captured(2));
+    this->Button->setText(
+      tr("Set %1 to %2")
+        .arg(pqShownValue::label(this->Advised), pqShownValue::words(match.captured(2))));
+    this->Button->setToolTip(tr("Follows the advice and applies it. Undo takes it back."));
+  }
+  this->Button->setVisible(this->Advised != nullptr);
   this->Label->setText(QString("<b>%1:</b> %2").arg(this->Title, text.toHtmlEscaped()));
+}
+
+void pqNotice::follow()
+{
+  if (!this->Advised)
+  {
+    return;
+  }
+  pqShownValue::set(this->Advised, this->Value);
+  Q_EMIT this->changeAvailable();
+  for (QWidget* widget = this->parentWidget(); widget; widget = widget->parentWidget())
+  {
+    if (auto* panel = qobject_cast<pqPropertiesPanel*>(widget))
+    {
+      panel->apply(); // last: what it executes may change this widget
+      return;
+    }
+  }
 }

@@ -8,15 +8,18 @@
 ///       <Property function="Text" name="Advice"/>
 ///     </PropertyGroup>
 ///
-/// A group, since ParaView disables the widgets of information properties, and text that is grayed
-/// out looks as if it did not apply.
+/// A text "Property Value: reason" comes as the reason, with a button that sets the property in the
+/// panel and presses Apply. A group, since ParaView disables the widgets of information properties,
+/// and text that is grayed out looks as if it did not apply.
 #ifndef pqNotice_h
 #define pqNotice_h
 
+#include "pqObservers.h"
 #include "pqPropertyWidget.h"
 #include "vtkSmartPointer.h"
 
 class QLabel;
+class QPushButton;
 class vtkSMPropertyGroup;
 
 class pqNotice : public pqPropertyWidget
@@ -25,15 +28,18 @@ class pqNotice : public pqPropertyWidget
 
 public:
   pqNotice(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
-  ~pqNotice() override;
 
 private:
   void updateText();
+  void follow();
 
   vtkSmartPointer<vtkSMProperty> Text;
-  unsigned long Observer;
   QString Title;
   QLabel* Label;
+  QPushButton* Button;
+  vtkSmartPointer<vtkSMProperty> Advised; // what the button sets, and to what
+  double Value = 0.0;
+  pqObservers Observers;
 };
 
 #endif

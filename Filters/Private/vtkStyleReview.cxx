@@ -119,7 +119,7 @@ std::string vtkStyleReview::ThinnedParts(
 }
 
 vtkStyleReview::Remarks vtkStyleReview::Review(const vtkSurfaceMesh& surface, int generation,
-  const Points& Q, const MethodOptions& o, const StyleReport& report)
+  const Points& Q, const MethodOptions& o, const StyleReport& report, AdviceChoices choices)
 {
   this->Facts.Update(generation,
     [&](SurfaceFacts& facts)
@@ -129,7 +129,8 @@ vtkStyleReview::Remarks vtkStyleReview::Review(const vtkSurfaceMesh& surface, in
   {
     remarks.Thinned = this->ThinnedParts(surface, generation, Q, o.threads);
   }
+  choices.avoidFolds = choices.avoidFolds && WithCgal;
   remarks.Advice =
-    Advise(o, this->Facts.Get(), MeasureResult(surface.Mesh, Q, o, report, surface.Part), WithCgal);
+    Advise(o, this->Facts.Get(), MeasureResult(surface.Mesh, Q, o, report, surface.Part), choices);
   return remarks;
 }

@@ -44,8 +44,10 @@ public:
   /// Of a surface that is spread over processes the thickness is not looked at.
   /// @param generation  another one for another mesh: SphericalStyleMethod::GetMeshGeneration
   /// @param Q  points of the result @param o, report  those of the solve that led there
+  /// @param choices  as the filter's properties are; what needs CGAL is left out here
   Remarks Review(const vtkSurfaceMesh& surface, int generation, const SphericalStyle::Points& Q,
-    const SphericalStyle::MethodOptions& o, const SphericalStyle::StyleReport& report);
+    const SphericalStyle::MethodOptions& o, const SphericalStyle::StyleReport& report,
+    SphericalStyle::AdviceChoices choices);
 
 private:
   std::string ThinnedParts(

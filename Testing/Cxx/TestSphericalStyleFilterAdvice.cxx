@@ -161,11 +161,11 @@ void Advice(Checker& check)
   {
     filter->SetCenter(0.0, 0.0, z);
     Expect(check, "center at " + vtkVariant(z).ToString(), filter,
-      std::abs(z) > 1.0 ? "move Center into the model: " : "");
+      std::abs(z) > 1.0 ? "CenterMode AreaCentroid: " : "");
   }
   filter->SetCenterModeToAreaCentroid();
   filter->SetInputData(MakeEllipsoid({ 1.0, 0.7, 0.4 }, Faces::Triangles, 8, 6));
-  Expect(check, "large triangles", filter, "RefineLongEdges: 100 % of the area");
+  Expect(check, "large triangles", filter, "RefineLongEdges On: 100 % of the area");
   filter->SetRefineLongEdgesToAutomatic();
   Expect(check, "large triangles found", filter, "");
   filter->SetRefineLongEdgesToOn();

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every macro runs, and does what its name says.
+"""Every macro runs, and does what its name says; presets by name, for scripts.
 
 usage: pvpython TestMacros.py MACROS MODEL
 PV_PLUGIN_PATH has to name the folder of the plugin.
@@ -16,7 +16,7 @@ from sphericalstyle import presets, window
 
 macros, model_file = sys.argv[1:]
 names = {name[len("Spherical Style "):-len(".py")] for name in os.listdir(macros)}
-assert names == set(presets.PRESETS) | {"Energy Chart", "Before and After"}, names
+assert names == {"Energy Chart", "Before and After"}, names
 
 
 def run(name):
@@ -26,7 +26,7 @@ def run(name):
 
 
 try:
-    run("Soft")
+    run("Before and After")
     raise SystemExit("there is nothing to round")
 except RuntimeError as error:
     assert "open a model" in str(error), error
@@ -38,15 +38,15 @@ Show(model, view)
 SetActiveSource(model)
 
 # ----------------------------------------------------------------------------------------- presets
-run("Soft")
-style = GetActiveSource()
+style = window.apply_preset("Soft")
+assert style == GetActiveSource()
 assert style.GetXMLName() == "SphericalStyleFilter" and style.Input == model
 assert GetRepresentation(style, view).Visibility == 1 and GetRepresentation(model, view).Visibility == 0
 shapes = set()
 for name, preset in presets.PRESETS.items():
     style.Center, style.ReproduceThesis = [0.1, 0.2, 0.3], 1
     style.SphericalWeighting = "Uniform"
-    run(name)
+    window.apply_preset(name)
     assert len(GetSources()) == 2 and GetActiveSource() == style  # the same filter, set anew
     for property_, value in preset.properties.items():
         words = re.sub("(?<=[a-z])(?=[A-Z])", " ", value) if isinstance(value, str) else value

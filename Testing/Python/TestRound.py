@@ -161,6 +161,11 @@ assert isinstance(result, pyvista.PolyData) and result is not cloth
 assert same(points(result), points(filtered(creature, lambda style: presets.apply(style, "Chibi"))))
 
 # ------------------------------------------------------------------------------------------- presets and properties
+with open(os.path.join(os.path.dirname(sys.argv[2]), "SphericalStyle.md"), encoding="utf-8") as file:
+    rows = re.findall(r"^\| (\w+) \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|", file.read(), re.MULTILINE)
+assert {name: [float(value) for value in values] for name, *values in rows} == {
+    name: [preset.properties[property_] for property_ in ("Roundness", "NormalBlend", "DetailSize")]
+    for name, preset in presets.PRESETS.items()}, "the table of the page"
 for name in presets.PRESETS:
     assert same(points(ss.round(creature, preset=name)),
                 points(filtered(creature, lambda style: presets.apply(style, name)))), name

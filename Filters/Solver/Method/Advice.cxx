@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <sstream>
 
 namespace SphericalStyle
 {
@@ -34,9 +35,26 @@ constexpr double CurvatureLimit = 2.0;
 /// Less than that and a face is no longer read: lambda 1.2 with one center.
 constexpr double ReliefLimit = 1.0 / 3.0;
 
+// What is advised.
+
+/// NormalBlend of the defaults: a body that faces away from one center is rounded limb by limb.
+constexpr double Limbs = 0.6;
+/// NormalBlend where limbs run into each other: that of the preset Chubby, half of the defaults.
+constexpr double FewLimbs = 0.3;
+/// Roundness of the preset Soft; less is no style anymore.
+constexpr double LeastRoundness = 0.5;
+
 std::string Percent(double share)
 {
   return std::to_string(std::lround(100.0 * share)) + " %";
+}
+
+/// With two decimals at most, as 0.3 or 1.25.
+std::string Number(double value)
+{
+  std::ostringstream text;
+  text << std::round(100.0 * value) / 100.0;
+  return text.str();
 }
 
 using Sums = Eigen::Array4d;
@@ -262,43 +280,49 @@ ResultFacts MeasureResult(const TriangleMesh& mesh, const Points& Q, const Metho
   return facts;
 }
 
-std::string Advise(
-  const MethodOptions& o, const SurfaceFacts& surface, const ResultFacts& result, bool withCgal)
+std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const ResultFacts& result,
+  const AdviceChoices& choices)
 {
   const bool turned = result.turnedOverShare >= TurnedOverLimit;
   const std::string turnedOver = Percent(result.turnedOverShare) + " of the triangles turned over";
-  const bool facingAway = result.facingAwayShare >= FacingAwayLimit;
   const bool uniform = o.sphericalWeighting == SphericalWeighting::Uniform;
+  const std::string longEdges =
+    Percent(surface.longEdgeShare) + " of the area has edges above a tenth of the diagonal";
   struct Rule
   {
     bool applies;
     std::string advice;
   };
-  // What spoils the result comes before what is only not as good as it could be.
+  // What spoils the result comes before what is only not as good as it could be. Where the property
+  // has the value already, or an array replaces it, the next rule is asked.
   const Rule rules[] = {
-    { turned && o.UsesNormals(), "lower NormalBlend: " + turnedOver },
+    { turned && o.normalBlends.size() == 0 && o.normalBlend > FewLimbs,
+      "NormalBlend " + Number(FewLimbs) + ": " + turnedOver },
     { turned && o.edgeWeighting == EdgeWeighting::FullEdge,
       "EdgeWeighting HalfEdge: " + turnedOver },
     { surface.components > 1 && o.componentCoupling == ComponentCoupling::Independent,
       "ComponentCoupling Stitched: " + std::to_string(surface.components) +
         " parts share no edge" },
-    { result.centerOutside, "move Center into the model: it lies outside" },
-    { turned && facingAway && withCgal, "vtkConvexProxyDeformFilter: " + turnedOver },
-    { turned && withCgal, "AvoidSelfIntersections: " + turnedOver },
-    { turned, "lower Roundness: " + turnedOver },
+    { result.centerOutside && o.centerMode == CenterMode::Custom,
+      "CenterMode AreaCentroid: Center lies outside of the model" },
+    { result.centerOutside && !o.UsesNormals(),
+      "NormalBlend " + Number(Limbs) + ": the center lies outside of the model" },
+    { turned && choices.avoidFolds, "AvoidSelfIntersections On: " + turnedOver },
+    { turned && o.lambda > LeastRoundness,
+      "Roundness " + Number(std::max(LeastRoundness, 0.5 * o.lambda)) + ": " + turnedOver },
     { uniform && surface.obtuseShare >= ObtuseLimit,
       "SphericalWeighting Cotangent: " + Percent(surface.obtuseShare) +
         " of the triangles are obtuse" },
     { uniform && surface.areaFactor >= AreaFactorLimit,
       "SphericalWeighting Cotangent: areas of triangles differ by a factor of " +
         std::to_string(std::lround(surface.areaFactor)) },
-    { surface.longEdgeShare >= CoarseShare,
-      "RefineLongEdges: " + Percent(surface.longEdgeShare) +
-        " of the area has edges above a tenth of the diagonal" },
+    { surface.longEdgeShare >= CoarseShare && choices.refine, "RefineLongEdges On: " + longEdges },
+    { surface.longEdgeShare >= CoarseShare && !choices.refine,
+      "MaximumEdgeLength 0.04: " + longEdges },
     { o.detailSize == 0.0 && surface.curvature >= CurvatureLimit && result.relief < ReliefLimit,
       "DetailSize 0.06: details keep " + Percent(result.relief) + " of their height" },
-    { facingAway && !o.UsesNormals(),
-      "several centers (center ids): " + Percent(result.facingAwayShare) +
+    { result.facingAwayShare >= FacingAwayLimit && !o.UsesNormals(),
+      "NormalBlend " + Number(Limbs) + ": " + Percent(result.facingAwayShare) +
         " of the surface faces away from the center" },
   };
   const auto* const rule =

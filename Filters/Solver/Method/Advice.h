@@ -47,11 +47,19 @@ struct ResultFacts
 ResultFacts MeasureResult(const TriangleMesh& mesh, const Points& Q, const MethodOptions& o,
   const StyleReport& report, const SurfacePart& part = {});
 
+/// What the caller can do besides MethodOptions.
+struct AdviceChoices
+{
+  bool avoidFolds = true; ///< AvoidSelfIntersections is there and off
+  bool refine = true;     ///< RefineLongEdges is off
+};
+
 /// The one change that helps most, and the fact that says so, as "Property Value: fact", in one
-/// line. Empty where nothing is to be said, as with lambda 0.
-/// @param withCgal  whether what needs CGAL is there to be advised
-std::string Advise(
-  const MethodOptions& o, const SurfaceFacts& surface, const ResultFacts& result, bool withCgal);
+/// line: words as in the class, On and Off for true and false. The property does not have that
+/// value yet, so advice that was followed does not come again. Empty where nothing is to be said,
+/// as with lambda 0.
+std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const ResultFacts& result,
+  const AdviceChoices& choices);
 } // namespace SphericalStyle
 
 #endif

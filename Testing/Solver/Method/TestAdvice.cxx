@@ -35,7 +35,7 @@ Outcome Run(const TriangleMesh& mesh, const MethodOptions& options)
   Outcome outcome;
   outcome.surface = MeasureSurface(mesh, report.components);
   outcome.result = MeasureResult(mesh, method.GetPositions(), options, report);
-  outcome.advice = Advise(options, outcome.surface, outcome.result, true);
+  outcome.advice = Advise(options, outcome.surface, outcome.result, {});
   return outcome;
 }
 
@@ -194,20 +194,17 @@ void TestEachAdvice()
 {
   MethodOptions options = Defaults();
   options.normalBlend = 1.0;
-  ExpectAdvice("normals as targets", Peanut(), options, "lower NormalBlend", " % of the triangles",
-    [](MethodOptions& o) { o.normalBlend = 0.0; });
+  ExpectAdvice("normals as targets", Peanut(), options, "NormalBlend 0.3", " % of the triangles",
+    [](MethodOptions& o) { o.normalBlend = 0.3; });
   options.normalBlends = Eigen::VectorXd::Ones(Peanut().P.rows());
-  options.normalBlend = 0.0;
-  ExpectAdvice("normals by array", Peanut(), options, "lower NormalBlend", " % of the triangles",
-    [](MethodOptions& o) { o.normalBlends *= 0.0; });
+  ExpectAdvice("normals by array", Peanut(), options, "AvoidSelfIntersections On",
+    " % of the triangles", [](MethodOptions& o) { o.normalBlends *= 0.0; });
 
   options = Defaults();
   options.centerMode = CenterMode::Custom;
   options.custom.center = { 0.0, 0.0, 2.0 };
-  ExpectAdvice("O outside", Meshes::Icosphere(3), options, "move Center into the model", "outside",
-    [](MethodOptions& o) {
-      o.custom.center = { 0.0, 0.0, 0.5 };
-    });
+  ExpectAdvice("O outside", Meshes::Icosphere(3), options, "CenterMode AreaCentroid", "outside",
+    [](MethodOptions& o) { o.centerMode = CenterMode::AreaCentroid; });
 
   options = Defaults();
   options.sphericalWeighting = SphericalWeighting::Uniform;
@@ -231,22 +228,10 @@ void TestEachAdvice()
     [](MethodOptions& o) { o.lambda = 0.5; });
 
   options = Defaults();
-  ExpectAdvice("a cup around O", Meshes::Cup(0.1), options, "move Center into the model", "outside",
-    [](MethodOptions& o)
-    {
-      o.centerMode = CenterMode::Custom;
-      o.custom.center = { 0.0, 0.0, -0.95 };
-    });
-  ExpectAdvice("two balls on a bar", Dumbbell(), options, "several centers (center ids)",
-    " % of the surface faces away",
-    [](MethodOptions& o)
-    {
-      const TriangleMesh mesh = Dumbbell();
-      for (int i = 0; i < mesh.P.rows(); ++i)
-      {
-        o.centerIds.push_back(mesh.P(i, 2) > 0.0 ? 1 : 0);
-      }
-    });
+  const auto limbs = [](MethodOptions& o) { o.normalBlend = 0.6; };
+  ExpectAdvice("a cup around O", Meshes::Cup(0.1), options, "NormalBlend 0.6", "outside", limbs);
+  ExpectAdvice("two balls on a bar", Dumbbell(), options, "NormalBlend 0.6",
+    " % of the surface faces away", limbs);
 }
 
 /// Facts and options that bring every advice at once: the most important is given, and one goes
@@ -268,38 +253,41 @@ void TestOrder()
   result.facingAwayShare = 0.46;
   result.turnedOverShare = 0.123;
   result.relief = 0.1;
-  bool withCgal = true;
+  AdviceChoices choices;
   const auto expect = [&](const std::string& advice)
   {
-    const std::string given = Advise(options, surface, result, withCgal);
+    const std::string given = Advise(options, surface, result, choices);
     CHECK(given == advice, "'" << advice << "' should be advised, not '" << given << "'");
   };
-  expect("lower NormalBlend: 12 % of the triangles turned over");
-  options.normalBlend = 0.0;
+  expect("NormalBlend 0.3: 12 % of the triangles turned over");
+  options.normalBlend = 0.3;
   expect("EdgeWeighting HalfEdge: 12 % of the triangles turned over");
   options.edgeWeighting = EdgeWeighting::HalfEdge;
   expect("ComponentCoupling Stitched: 19 parts share no edge");
   options.componentCoupling = ComponentCoupling::Stitched;
-  expect("move Center into the model: it lies outside");
+  options.centerMode = CenterMode::Custom;
+  expect("CenterMode AreaCentroid: Center lies outside of the model");
+  options.centerMode = CenterMode::AreaCentroid;
+  options.normalBlend = 0.0;
+  expect("NormalBlend 0.6: the center lies outside of the model");
   result.centerOutside = false;
-  expect("vtkConvexProxyDeformFilter: 12 % of the triangles turned over");
-  result.facingAwayShare = 0.2;
-  expect("AvoidSelfIntersections: 12 % of the triangles turned over");
-  withCgal = false;
-  expect("lower Roundness: 12 % of the triangles turned over");
-  result.facingAwayShare = 0.46;
-  expect("lower Roundness: 12 % of the triangles turned over"); // the proxy needs CGAL too
-  result.turnedOverShare = 0.005;
-  result.facingAwayShare = 0.46;
+  expect("AvoidSelfIntersections On: 12 % of the triangles turned over");
+  choices.avoidFolds = false;
+  expect("Roundness 2.5: 12 % of the triangles turned over");
+  options.lambda = 0.8;
+  expect("Roundness 0.5: 12 % of the triangles turned over");
+  options.lambda = 0.5; // there is no less
   expect("SphericalWeighting Cotangent: 53 % of the triangles are obtuse");
   surface.obtuseShare = 0.1;
   expect("SphericalWeighting Cotangent: areas of triangles differ by a factor of 4");
   options.sphericalWeighting = SphericalWeighting::Cotangent;
-  expect("RefineLongEdges: 55 % of the area has edges above a tenth of the diagonal");
+  expect("RefineLongEdges On: 55 % of the area has edges above a tenth of the diagonal");
+  choices.refine = false;
+  expect("MaximumEdgeLength 0.04: 55 % of the area has edges above a tenth of the diagonal");
   surface.longEdgeShare = 0.05;
   expect("DetailSize 0.06: details keep 10 % of their height");
   surface.curvature = 1.5;
-  expect("several centers (center ids): 46 % of the surface faces away from the center");
+  expect("NormalBlend 0.6: 46 % of the surface faces away from the center");
   result.facingAwayShare = 0.2;
   expect("");
 }

@@ -1,5 +1,0 @@
-# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
-# SPDX-License-Identifier: BSD-3-Clause
-from sphericalstyle import window
-
-window.apply_preset("Chubby")

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqShownValue.h"
+
+#include "vtkPVXMLElement.h"
+#include "vtkSMEnumerationDomain.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+
+#include <QRegularExpression>
+
+namespace pqShownValue
+{
+double get(vtkSMProperty* property)
+{
+  vtkSMPropertyHelper helper(property);
+  helper.SetUseUnchecked(true);
+  return helper.GetAsDouble();
+}
+
+void set(vtkSMProperty* property, double value)
+{
+  vtkSMPropertyHelper helper(property);
+  helper.SetUseUnchecked(true);
+  helper.Set(value);
+}
+
+double fromText(vtkSMProperty* property, const QString& text)
+{
+  auto* words = property->FindDomain<vtkSMEnumerationDomain>();
+  for (unsigned int i = 0; words && i < words->GetNumberOfEntries(); ++i)
+  {
+    if (QString(words->GetEntryText(i)).remove(' ') == text)
+    {
+      return words->GetEntryValue(i);
+    }
+  }
+  return text == "On" ? 1.0 : text.toDouble();
+}
+
+QString label(vtkSMProperty* property)
+{
+  vtkPVXMLElement* hints = property->GetHints();
+  for (unsigned int i = 0; hints && i < hints->GetNumberOfNestedElements(); ++i)
+  {
+    vtkPVXMLElement* hint = hints->GetNestedElement(i);
+    if (QString(hint->GetAttributeOrEmpty("type")) == "PanelLabel")
+    {
+      return hint->GetAttributeOrEmpty("text");
+    }
+  }
+  return property->GetXMLLabel();
+}
+
+QString words(const QString& text)
+{
+  static const QRegularExpression border("(?<=[a-z])(?=[A-Z])");
+  return QString(text).replace(border, " ");
+}
+}
