@@ -10,8 +10,6 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-TAG = 5207  # any number
-
 
 class Processes:
     """rank: number of this process, count: number of processes, name: a prefix for lines of output"""
@@ -25,18 +23,15 @@ class Processes:
         if self.count != max(started, self.count) or (self.count > 1 and not runs_everywhere()):
             sys.exit("With mpirun this script needs: pvbatch --sym")
 
-    def gather(self, values):
-        """On the first process, the concatenated lists of all processes; on the others, their own list."""
-        if self.rank > 0:
-            text = np.frombuffer(json.dumps(values).encode(), dtype=np.uint8)
-            self.controller.Send(numpy_to_vtk(text, deep=True), 0, TAG)
-            return values
-        gathered = list(values)
-        for rank in range(1, self.count):
-            text = vtkUnsignedCharArray()
-            self.controller.Receive(text, rank, TAG)
-            gathered += json.loads(vtk_to_numpy(text).tobytes())
-        return gathered
+    def share(self, value):
+        """The first process' value, which JSON has to be able to hold, on all."""
+        if self.count == 1:
+            return value
+        text = vtkUnsignedCharArray()
+        if self.rank == 0:
+            text = numpy_to_vtk(np.frombuffer(json.dumps(value).encode(), dtype=np.uint8), deep=True)
+        self.controller.Broadcast(text, 0)
+        return json.loads(vtk_to_numpy(text).tobytes())
 
 
 def runs_everywhere():

@@ -262,33 +262,47 @@ def _work(job, keywords, view, connection):
     connection.send(_try(job, keywords, view))
 
 
-def round_all(jobs, keywords, processes, view=0.0, sharing=1):
-    """Yields (job, line of the table), in the order in which they are finished. The processes share the processors.
-    sharing: how many programs like this do so, too."""
-    threads = max(1, len(os.sched_getaffinity(0)) // (sharing * min(processes, max(1, len(jobs)))))
+class Running:
+    """A model that is rounded in a process of its own. receiver: ready to be read when the process has ended."""
+
+    def __init__(self, job, keywords, view=0.0):
+        context = multiprocessing.get_context("fork")  # spawning does not work in pvpython
+        self.job = job
+        self.receiver, sender = context.Pipe(duplex=False)
+        self.process = context.Process(target=_work, args=(job, keywords, view, sender))
+        self.process.start()
+        sender.close()
+
+    def line(self):
+        """Waits for the end. A process that did not get that far makes a line, too, with "again" in it."""
+        try:
+            line = self.receiver.recv()
+            self.process.join()
+        except EOFError:
+            self.process.join()
+            line = {"model": _name_for_tables(self.job.name), "again": True,
+                    "result": f"broke off with exit code {self.process.exitcode}"}
+        self.receiver.close()
+        return line
+
+
+def share_processors(programs):
+    """Takes as many threads for each program as there are processors for it."""
+    threads = max(1, len(os.sched_getaffinity(0)) // programs)
     os.environ.setdefault("VTK_SMP_MAX_THREADS", str(threads))
-    context = multiprocessing.get_context("fork")  # spawning does not work in pvpython
-    waiting, running = list(reversed(jobs)), {}
+
+
+def round_all(jobs, keywords, processes, view=0.0):
+    """Yields (job, line of the table), in the order in which they are finished. The processes share the processors."""
+    share_processors(min(processes, max(1, len(jobs))))
+    waiting, running = list(reversed(jobs)), []
     while waiting or running:
         while waiting and len(running) < processes:
-            job = waiting.pop()
-            receiver, sender = context.Pipe(duplex=False)
-            process = context.Process(target=_work, args=(job, keywords, view, sender))
-            process.start()
-            sender.close()
-            running[process.sentinel] = job, process, receiver
-        ready = multiprocessing.connection.wait([receiver for _, _, receiver in running.values()])
-        for sentinel, (job, process, receiver) in list(running.items()):
-            if receiver not in ready:
-                continue
-            try:
-                line = receiver.recv()
-                process.join()
-            except EOFError:
-                process.join()
-                line = {"model": _name_for_tables(job.name), "result": f"broke off with exit code {process.exitcode}"}
-            del running[sentinel]
-            yield job, line
+            running.append(Running(waiting.pop(), keywords, view))
+        ready = multiprocessing.connection.wait([one.receiver for one in running])
+        for one in [one for one in running if one.receiver in ready]:
+            running.remove(one)
+            yield one.job, one.line()
 
 
 # ------------------------------------------------------------------------------------------------------- results

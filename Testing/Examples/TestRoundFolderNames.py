@@ -3,6 +3,7 @@
 """Files that somebody else has named and made: nothing is written outside the output folder, no name is run or moves the
 cursor, and no file that a model names is opened."""
 import csv
+import json
 import os
 import shutil
 import subprocess
@@ -110,4 +111,23 @@ assert lines.pop("cube.vtp") == lines.pop("nowhere.vtp") == "rounded"
 assert all("leads out of" in line for line in lines.values()), lines
 assert files_in(elsewhere) == ["kept"] and (elsewhere / "kept").read_text(encoding="utf-8") == "kept"
 assert not any((linked / name).is_symlink() for name in ("cube.vtp.vtp", "nowhere.vtp.vtp", "summary.csv"))
-assert not list(linked.glob("*.part"))
+assert not (linked / "summary.csv.part").is_symlink()
+
+# The same in the folder of the journal, and what a journal names that somebody else has written.
+for k, link in enumerate((".round_folder", ".round_folder/done-1-0.jsonl", ".round_folder/run-0")):
+    linked = output / f"linked-{k}"
+    (linked / link).parent.mkdir(parents=True)
+    (linked / link).symlink_to(elsewhere, target_is_directory=True)
+    code, text = run(models, linked)
+    assert code == 1 and ("leads out of" in text or "is a link" in text), (code, text)
+    assert files_in(elsewhere) == ["kept"] and not list(linked.glob("*.vtp")), text
+forged = output / "forged"
+(forged / ".round_folder").mkdir(parents=True)
+status = (models / "cube.vtp").stat()
+for number, part in enumerate(("../../elsewhere/kept", str(elsewhere / "kept"), 5, None)):
+    entry = {"model": "cube.vtp", "stamp": [status.st_size, status.st_mtime_ns], "again": False, "bytes": 4, "part": part,
+             "line": {"model": "cube.vtp", "result": "rounded"}}
+    (forged / ".round_folder" / f"done-{number}-0.jsonl").write_text(json.dumps(entry) + "\n", encoding="utf-8")
+code, text = run(models, forged)
+assert code == 0 and "3 of 3 models rounded" in text, (code, text)
+assert files_in(elsewhere) == ["kept"] and np.array_equal(points(forged / "cube.vtp.vtp"), expected)

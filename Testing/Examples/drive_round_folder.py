@@ -1,0 +1,69 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs round_folder.py and kills it at a certain place, or as one process of several without MPI.
+
+usage: drive_round_folder.py EXAMPLES PLACE RANK MEETING MODELS OUTPUT [OPTION...]
+
+PLACE says where the process kills itself: "unwritten", "cut", "written" when it writes the second line of its journal
+(before, in the middle, behind), "first" before the first line, "table" behind the table, "no" nowhere.
+RANK is 0 or 1 of 2 processes that share the plan through the file MEETING; process 0 goes on when there is a file
+MEETING.go. With "-" it is alone.
+"""
+import json
+import os
+import pathlib
+import signal
+import sys
+import time
+
+examples, place, rank, meeting = sys.argv[1:5]
+del sys.argv[1:5]
+sys.path.insert(0, examples)
+import round_folder
+import shared_work
+
+append, remove = shared_work._append, round_folder.remove
+lines = 0
+
+
+def die():
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def write(path, values):
+    global lines
+    lines += path.name.startswith("done-")
+    now = lines == (1 if place == "first" else 2)
+    if now and place in ("first", "unwritten"):
+        die()
+    if now and place == "cut":
+        path.write_bytes(path.read_bytes() + json.dumps(values).encode()[:-9])
+        die()
+    append(path, values)
+    if now and place == "written":
+        die()
+
+
+class OneOfTwo:
+    """In place of MPI."""
+
+    def __init__(self):
+        self.rank, self.count, self.name = int(rank), 2, f"process {rank} "
+
+    def share(self, value):
+        plan = pathlib.Path(meeting)
+        if self.rank == 0:
+            plan.with_suffix(".part").write_text(json.dumps(value), encoding="utf-8")
+            plan.with_suffix(".part").replace(plan)
+        wait_for = plan.with_suffix(".go") if self.rank == 0 else plan
+        while not wait_for.exists():
+            time.sleep(0.01)
+        return json.loads(plan.read_text(encoding="utf-8"))
+
+
+shared_work._append = write
+if place == "table":
+    round_folder.remove = lambda folder: die()
+if rank != "-":
+    round_folder.Processes = OneOfTwo
+sys.exit(round_folder.main())
