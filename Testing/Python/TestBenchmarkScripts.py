@@ -13,6 +13,8 @@ import unittest
 sys.path.insert(0, sys.argv.pop(1))
 import benchmark_support as support
 import compare_peers
+import measure_size
+import numpy as np
 import report_goals
 
 
@@ -61,6 +63,32 @@ class Support(unittest.TestCase):
         runs = [record("energy", 100, 1.0) for _ in range(3)]
         self.assertIn("50 % of their time", support.busy(runs))
         self.assertEqual(support.busy([{**r, "processor_seconds": 0.99} for r in runs]), "")
+
+
+class Size(unittest.TestCase):
+    def test_models_are_closed_and_face_outward(self):
+        for kind in measure_size.KINDS:
+            for points in (1, 100, 9000):
+                places, triangles = measure_size.make(kind, points)
+                sides = np.vstack([triangles[:, [k, (k + 1) % 3]] for k in range(3)])
+                self.assertEqual(len(np.unique(sides, axis=0)), len(sides))
+                self.assertTrue(np.array_equal(np.unique(sides, axis=0), np.unique(sides[:, ::-1], axis=0)))
+                corners = places[triangles]
+                volumes = np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2]))
+                self.assertGreater(volumes.sum(), 0.0)
+                self.assertEqual(np.unique(triangles).tolist(), list(range(len(places))))
+        self.assertAlmostEqual(len(measure_size.make("scan", 9000)[0]) / 9000, 1.0, delta=0.02)
+
+    def test_table_and_growth(self):
+        records = [{"kind": "scan", "threads": 1, "points": n, "seconds": 1e-6 * n ** 1.1, "processor": 1.0, "peak": 400 * n,
+                    "more": 300.0, "s grid": 0.25} for n in (1000, 10000)]
+        self.assertEqual(measure_size.growth(records),
+                         ["scan, 1 threads: seconds grow as n^1.10, peak memory as n^1.00"])
+        text = measure_size.table([*records, {"kind": "scan", "threads": 1, "points": 10 ** 5, "error": "no memory"}])
+        lines = text.splitlines()
+        self.assertIn("| s grid |", lines[0])
+        self.assertEqual([line.count("|") for line in lines], [9] * 5)
+        self.assertIn("no memory", lines[4])
 
 
 class Comparison(unittest.TestCase):
