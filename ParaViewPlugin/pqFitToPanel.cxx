@@ -8,6 +8,8 @@
 
 #include <QBoxLayout>
 #include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
 #include <QScrollArea>
 
 namespace
@@ -43,6 +45,22 @@ void FitDigits(pqDoubleLineEdit* number)
   number->setPrecision(digits);
   number->setUseGlobalPrecisionAndNotation(digits == pqDoubleLineEdit::globalPrecision());
 }
+
+/// A label that is asked says what the widget beside it says.
+void AddToolTips(const QWidget* properties)
+{
+  auto* grid = qobject_cast<QGridLayout*>(properties->layout());
+  for (int row = 0; grid && row < grid->rowCount(); ++row)
+  {
+    QLayoutItem* left = grid->itemAtPosition(row, 0);
+    QLayoutItem* right = grid->itemAtPosition(row, 1);
+    auto* label = left ? qobject_cast<QLabel*>(left->widget()) : nullptr;
+    if (label && right && right->widget() && label->toolTip().isEmpty())
+    {
+      label->setToolTip(right->widget()->toolTip());
+    }
+  }
+}
 }
 
 pqFitToPanel::pqFitToPanel(vtkPVXMLElement* xml, pqPropertyWidget* widget)
@@ -76,6 +94,7 @@ void pqFitToPanel::watchPanel()
   }
   this->Panel = panel;
   this->Properties = properties;
+  AddToolTips(properties);
   panel->viewport()->installEventFilter(this);
   panel->widget()->installEventFilter(this);
   for (auto* range : properties->findChildren<pqDoubleRangeWidget*>())

@@ -9,7 +9,8 @@
 /// ParaView's panel puts the properties of the filter, of its display and of the view below each
 /// other, all as wide as the widest of them. That is the color editor of the display, which is
 /// wider than the panel of a new window: without this the numbers at the right are cut off.
-/// Numbers that are too long for their line edits show fewer digits, until they are edited.
+/// Numbers that are too long for their line edits show fewer digits, until they are edited. Labels
+/// get the tool tips of their properties, which ParaView gives to the widgets beside them only.
 #ifndef pqFitToPanel_h
 #define pqFitToPanel_h
 

@@ -26,6 +26,14 @@ public:
     this->Tags.emplace_back(observed, observed->AddObserver(event, owner, function));
   }
 
+  /// The same for a function that wants to know more of the event.
+  template <class Owner>
+  void add(vtkObject* observed, unsigned long event, Owner* owner,
+    void (Owner::*function)(vtkObject*, unsigned long, void*))
+  {
+    this->Tags.emplace_back(observed, observed->AddObserver(event, owner, function));
+  }
+
   void clear()
   {
     for (const auto& [observed, tag] : this->Tags)

@@ -13,11 +13,12 @@ const QString Group = "SphericalStyle/";
 }
 
 pqSettingCheckBox::pqSettingCheckBox(
-  const QString& name, const QString& label, QWidget* parentWidget)
+  const QString& name, const QString& label, bool checked, QWidget* parentWidget)
   : QCheckBox(label, parentWidget)
 {
   this->setObjectName(name);
-  this->setChecked(pqApplicationCore::instance()->settings()->value(Group + name, true).toBool());
+  this->setChecked(
+    pqApplicationCore::instance()->settings()->value(Group + name, checked).toBool());
   QObject::connect(this, &QCheckBox::toggled, this, &pqSettingCheckBox::keep);
 }
 

@@ -33,7 +33,7 @@ pqTargetSphereWidget::pqTargetSphereWidget(
   : pqPropertyWidget(smproxy, parentWidget)
   , CenterPosition(smgroup->GetProperty("CenterPosition"))
   , Badge(new QLabel(this))
-  , ShowSphere(new pqSettingCheckBox("ShowTargetSphere", tr("Show Target Sphere"), this))
+  , ShowSphere(new pqSettingCheckBox("ShowTargetSphere", tr("Show Target Sphere"), false, this))
 {
   this->setShowLabel(false);
   auto* layout = new QVBoxLayout(this);

@@ -108,8 +108,8 @@ pqUpdateWhileDragging::~pqUpdateWhileDragging()
 
 void pqUpdateWhileDragging::addCheckBox()
 {
-  this->CheckBox =
-    new pqSettingCheckBox("UpdateWhileDragging", tr("Update While Dragging"), this->parentWidget());
+  this->CheckBox = new pqSettingCheckBox(
+    "UpdateWhileDragging", tr("Update While Dragging"), true, this->parentWidget());
   this->CheckBox->setToolTip(tr("The model follows while you drag, if an update takes less than "
                                 "%1 s; otherwise when you let go.")
                                .arg(SlowUpdate / 1000.0));

@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqLook.h"
+
+#include "pqApplicationCore.h"
+#include "pqPipelineSource.h"
+#include "pqPropertiesPanel.h"
+#include "pqServerManagerModel.h"
+#include "pqShownValue.h"
+#include "pqUndoStack.h"
+#include "pqView.h"
+#include "vtkCommand.h"
+#include "vtkDataObject.h"
+#include "vtkNew.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyGroup.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionManager.h"
+#include "vtkSMViewProxy.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+namespace
+{
+void SetVisible(vtkSMProxy* representation, bool visible)
+{
+  if (representation)
+  {
+    vtkSMPropertyHelper(representation, "Visibility").Set(visible);
+    representation->UpdateVTKObjects();
+  }
+}
+
+bool IsVisible(vtkSMProxy* representation)
+{
+  return representation && vtkSMPropertyHelper(representation, "Visibility").GetAsInt() != 0;
+}
+
+bool HasPointArray(vtkSMSourceProxy* source, const char* name)
+{
+  vtkPVDataInformation* data = source->GetDataInformation(0);
+  return data && data->GetArrayInformation(name, vtkDataObject::POINT);
+}
+}
+
+pqLook::pqLook(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parentWidget)
+  : pqPropertyWidget(smproxy, parentWidget)
+  , Before(new QPushButton(tr("&Before"), this))
+  , Source(
+      pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(smproxy))
+{
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(this->Before);
+  this->Before->setObjectName("Before");
+  this->Before->setCheckable(true);
+  this->Before->setToolTip(
+    tr("Shows the model in place of the result, until you click again. Alt+B does the same."));
+  QObject::connect(this->Before, &QPushButton::toggled, this, &pqLook::showModel);
+  vtkPVXMLElement* hints = smgroup->GetHints();
+  for (unsigned int i = 0; hints && i < hints->GetNumberOfNestedElements(); ++i)
+  {
+    if (QString(hints->GetNestedElement(i)->GetName()) == "Color")
+    {
+      this->addColor(hints->GetNestedElement(i));
+    }
+  }
+  layout->addStretch();
+  if (this->Source)
+  {
+    // Not in the middle of the update that tells of it.
+    QObject::connect(this->Source.data(),
+      qOverload<pqPipelineSource*>(&pqPipelineSource::dataUpdated), this, &pqLook::refresh,
+      Qt::QueuedConnection);
+  }
+  this->refresh();
+}
+
+void pqLook::addColor(vtkPVXMLElement* xml)
+{
+  Color color{ xml->GetAttributeOrEmpty("array"),
+    this->proxy()->GetProperty(xml->GetAttributeOrEmpty("property")),
+    new QPushButton(xml->GetAttributeOrEmpty("text"), this) };
+  color.Button->setObjectName(color.Array);
+  color.Button->setCheckable(true);
+  color.Button->setToolTip(tr("Colors the result by %1, with a legend in the view.")
+                             .arg(pqShownValue::words(color.Array).toLower()));
+  this->layout()->addWidget(color.Button);
+  QObject::connect(color.Button, &QPushButton::toggled, this,
+    [this, color](bool on) { this->colorBy(color, on); });
+  this->Colors.push_back(color);
+}
+
+bool pqLook::isSingleRowItem() const
+{
+  return true;
+}
+
+/// Not when the result is there: as long as it is hidden, it is not computed.
+void pqLook::apply()
+{
+  this->Before->setChecked(false);
+  this->pqPropertyWidget::apply();
+}
+
+void pqLook::select()
+{
+  this->pqPropertyWidget::select();
+  this->refresh();
+}
+
+void pqLook::deselect()
+{
+  this->Before->setChecked(false);
+  this->pqPropertyWidget::deselect();
+}
+
+void pqLook::setView(pqView* newView)
+{
+  if (newView != this->view())
+  {
+    this->Before->setChecked(false);
+    this->pqPropertyWidget::setView(newView);
+    this->refresh();
+  }
+}
+
+/// How the active view displays the result; none before the first Apply.
+vtkSMPVRepresentationProxy* pqLook::result() const
+{
+  auto* source = vtkSMSourceProxy::SafeDownCast(this->proxy());
+  vtkSMViewProxy* smview = this->view() ? this->view()->getViewProxy() : nullptr;
+  return smview && this->Source
+    ? vtkSMPVRepresentationProxy::SafeDownCast(smview->FindRepresentation(source, 0))
+    : nullptr;
+}
+
+vtkSMProxy* pqLook::model() const
+{
+  const vtkSMPropertyHelper input(this->proxy(), "Input");
+  vtkSMViewProxy* smview = this->view() ? this->view()->getViewProxy() : nullptr;
+  return smview ? smview->FindRepresentation(
+                    vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()), input.GetOutputPort())
+                : nullptr;
+}
+
+QString pqLook::seen() const
+{
+  QStringList words;
+  if (IsVisible(this->model()))
+  {
+    words << "model";
+  }
+  vtkSMPVRepresentationProxy* display = this->result();
+  if (IsVisible(display))
+  {
+    words << "result";
+    if (display->GetUsingScalarColoring())
+    {
+      words << vtkSMPropertyHelper(display, "ColorArrayName").GetInputArrayNameToProcess();
+    }
+    if (display->IsScalarBarVisible(this->view()->getProxy()))
+    {
+      words << "legend";
+    }
+  }
+  return words.join(", ");
+}
+
+void pqLook::showModel(bool show)
+{
+  SCOPED_UNDO_EXCLUDE();
+  if (show)
+  {
+    const vtkSMPropertyHelper input(this->proxy(), "Input");
+    auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+    this->Hidden = this->result();
+    if (!source || !this->Hidden)
+    {
+      return;
+    }
+    vtkSMProxy* known = this->model();
+    this->WasShown = IsVisible(known);
+    vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+    this->Shown =
+      known ? known : controller->Show(source, input.GetOutputPort(), this->view()->getViewProxy());
+    SetVisible(this->Shown, true);
+    SetVisible(this->Hidden, false);
+  }
+  else
+  {
+    SetVisible(this->Hidden, true);
+    SetVisible(this->Shown, this->WasShown);
+    this->Hidden = nullptr;
+    this->Shown = nullptr;
+  }
+  if (this->view())
+  {
+    this->view()->render();
+  }
+}
+
+void pqLook::colorBy(const Color& color, bool on)
+{
+  if (on && color.Switch && pqShownValue::get(color.Switch) == 0.0)
+  {
+    pqShownValue::set(color.Switch, 1.0);
+    Q_EMIT this->changeAvailable();
+    for (QWidget* widget = this->parentWidget(); widget; widget = widget->parentWidget())
+    {
+      if (auto* panel = qobject_cast<pqPropertiesPanel*>(widget))
+      {
+        panel->apply();
+        break;
+      }
+    }
+  }
+  this->Before->setChecked(false);
+  if (vtkSMPVRepresentationProxy* display = this->result())
+  {
+    vtkSMViewProxy* smview = this->view()->getViewProxy();
+    BEGIN_UNDO_SET(tr("Color by %1").arg(color.Button->text()));
+    display->SetScalarColoring(on ? color.Array.data() : nullptr, vtkDataObject::POINT);
+    if (on)
+    {
+      display->RescaleTransferFunctionToDataRange();
+      display->SetScalarBarVisibility(smview, true);
+    }
+    vtkNew<vtkSMTransferFunctionManager>()->UpdateScalarBars(
+      smview, vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
+    END_UNDO_SET();
+    this->view()->render();
+  }
+  this->refresh();
+}
+
+/// The display of the result may be another one, or have other colors.
+void pqLook::refresh()
+{
+  this->Observers.clear();
+  vtkSMPVRepresentationProxy* display = this->result();
+  if (vtkSMProperty* colors = display ? display->GetProperty("ColorArrayName") : nullptr)
+  {
+    this->Observers.add(colors, vtkCommand::ModifiedEvent, this, &pqLook::updateButtons);
+  }
+  this->updateButtons();
+}
+
+void pqLook::updateButtons()
+{
+  vtkSMPVRepresentationProxy* display = this->result();
+  this->Before->setEnabled(display);
+  const char* array = display && display->GetUsingScalarColoring()
+    ? vtkSMPropertyHelper(display, "ColorArrayName").GetInputArrayNameToProcess()
+    : nullptr;
+  for (const Color& color : this->Colors)
+  {
+    const QSignalBlocker blocker(color.Button);
+    color.Button->setChecked(array && color.Array == array);
+    color.Button->setEnabled(display);
+    color.Button->setVisible(color.Switch ||
+      (display && HasPointArray(vtkSMSourceProxy::SafeDownCast(this->proxy()), color.Array)));
+  }
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Buttons to look at what a filter has done, in the active view: its input in place of its result,
+/// and the result in the colors of an array, with a legend:
+///
+///     <PropertyGroup label="Look" panel_widget="Look">
+///       <Property name="Converged"/>
+///       <Hints>
+///         <Color text="Displacement" array="Displacement" property="GenerateDisplacement"/>
+///       </Hints>
+///     </PropertyGroup>
+///
+/// The property of the group is there for its place in the panel, see pqPresets.h. A button of
+/// colors switches on the property that makes the array. The result comes back, and the model is
+/// hidden again, with a second click, with Apply, and where another filter or view is chosen.
+#ifndef pqLook_h
+#define pqLook_h
+
+#include "pqObservers.h"
+#include "pqPropertyWidget.h"
+#include "vtkWeakPointer.h"
+
+#include <QPointer>
+
+#include <vector>
+
+class QPushButton;
+class pqPipelineSource;
+class vtkSMPVRepresentationProxy;
+class vtkSMPropertyGroup;
+
+class pqLook : public pqPropertyWidget
+{
+  Q_OBJECT
+  Q_PROPERTY(
+    QString seen READ seen) ///< for tests: "model", "result", "result, Displacement, legend"
+
+public:
+  pqLook(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
+
+  bool isSingleRowItem() const override;
+  void apply() override;
+  void select() override;
+  void deselect() override;
+  void setView(pqView* view) override;
+
+  QString seen() const;
+
+private:
+  struct Color
+  {
+    QByteArray Array;
+    vtkSmartPointer<vtkSMProperty> Switch; // makes the array
+    QPushButton* Button;
+  };
+
+  void addColor(vtkPVXMLElement* xml);
+  void showModel(bool show);
+  void colorBy(const Color& color, bool on);
+  void refresh();
+  void updateButtons();
+  vtkSMPVRepresentationProxy* result() const;
+  vtkSMProxy* model() const; ///< the same for the model
+
+  QPushButton* Before;
+  std::vector<Color> Colors;
+  QPointer<pqPipelineSource> Source;
+  vtkWeakPointer<vtkSMProxy> Shown;  // the model, in place of the result
+  vtkWeakPointer<vtkSMProxy> Hidden; // the result
+  bool WasShown = false;             // the model too
+  pqObservers Observers;             // of the result's display
+};
+
+#endif

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqProblem.h"
+
+#include "pqApplicationCore.h"
+#include "pqPipelineSource.h"
+#include "pqPropertiesPanel.h"
+#include "pqPropertyWidgetDecorator.h"
+#include "pqServerManagerModel.h"
+#include "pqUndoStack.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkOutputWindow.h"
+#include "vtkPVDataInformation.h"
+#include "vtkSMParaViewPipelineController.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxySelectionModel.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
+
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QVBoxLayout>
+
+namespace
+{
+pqPipelineSource* FindItem(vtkSMProxy* proxy)
+{
+  return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(proxy);
+}
+
+pqPropertiesPanel* FindPanel(QWidget* widget)
+{
+  pqPropertiesPanel* panel = nullptr;
+  for (; widget && !panel; widget = widget->parentWidget())
+  {
+    panel = qobject_cast<pqPropertiesPanel*>(widget);
+  }
+  return panel;
+}
+
+/// None before the input was executed: asking for it would do that.
+vtkPVDataInformation* KnownData(vtkSMProxy* proxy)
+{
+  const vtkSMPropertyHelper input(proxy, "Input");
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  const pqPipelineSource* item = FindItem(source);
+  return item && item->modifiedState() != pqProxy::UNINITIALIZED
+    ? source->GetDataInformation(input.GetOutputPort())
+    : nullptr;
+}
+
+bool IsNoSurface(vtkPVDataInformation* data)
+{
+  return data && !data->IsNull() && !data->IsCompositeDataSet() &&
+    !data->DataSetTypeIsA("vtkPolyData");
+}
+}
+
+/// ParaView asks decorators whether a widget is to be seen.
+class pqProblem::Visibility : public pqPropertyWidgetDecorator
+{
+public:
+  explicit Visibility(pqPropertyWidget* widget)
+    : pqPropertyWidgetDecorator(nullptr, widget)
+  {
+  }
+
+  bool canShowWidget(bool) const override { return this->Visible; }
+
+  void setVisible(bool visible)
+  {
+    if (visible != this->Visible)
+    {
+      this->Visible = visible;
+      Q_EMIT this->visibilityChanged();
+    }
+  }
+
+private:
+  bool Visible = false;
+};
+
+pqProblem::pqProblem(vtkSMProxy* smproxy, vtkSMPropertyGroup*, QWidget* parentWidget)
+  : pqPropertyWidget(smproxy, parentWidget)
+  , Label(new QLabel(this))
+  , Button(new QPushButton(tr("Extract Surface"), this))
+  , Shown(new Visibility(this))
+{
+  this->setShowLabel(false);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(this->Label);
+  layout->addWidget(this->Button, 0, Qt::AlignLeft);
+  this->Label->setObjectName("Text");
+  this->Label->setWordWrap(true);
+  this->Label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  this->Label->setMargin(4);
+  this->Button->setObjectName("ExtractSurface");
+  this->Button->setToolTip(tr("Puts the filter Extract Surface in front of this one."));
+  // Not at once: the click makes another panel the active one.
+  QObject::connect(
+    this->Button, &QPushButton::clicked, this, &pqProblem::extractSurface, Qt::QueuedConnection);
+  this->Observers.add(
+    smproxy->GetProperty("Input"), vtkCommand::ModifiedEvent, this, &pqProblem::watchInput);
+  for (const auto event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
+  {
+    this->Observers.add(vtkOutputWindow::GetInstance(), event, this, &pqProblem::hear);
+  }
+  if (auto* filter = vtkObject::SafeDownCast(smproxy->GetClientSideObject()))
+  {
+    this->Observers.add(filter, vtkCommand::StartEvent, this, &pqProblem::forget);
+  }
+  this->watchInput();
+}
+
+void pqProblem::select()
+{
+  this->pqPropertyWidget::select();
+  this->updateText();
+}
+
+void pqProblem::watchInput()
+{
+  QObject::disconnect(this->InputUpdated);
+  if (pqPipelineSource* input = FindItem(vtkSMPropertyHelper(this->proxy(), "Input").GetAsProxy()))
+  {
+    // Not in the middle of the update that tells of it.
+    this->InputUpdated =
+      QObject::connect(input, qOverload<pqPipelineSource*>(&pqPipelineSource::dataUpdated), this,
+        &pqProblem::updateText, Qt::QueuedConnection);
+  }
+  this->updateText();
+}
+
+/// "vtkSphericalStyleFilter (0x55d0c0ffee00): what it says", maybe with file and line before it.
+void pqProblem::hear(vtkObject*, unsigned long event, void* text)
+{
+  const QString name = this->proxy()->GetVTKClassName();
+  const QRegularExpression form(
+    name + " \\((\\w+)\\): (.*)", QRegularExpression::DotMatchesEverythingOption);
+  const QRegularExpressionMatch match = form.match(static_cast<const char*>(text));
+  // That of a server is an address elsewhere; then it may be of another filter of the same class.
+  const auto* object = this->proxy()->GetClientSideObject();
+  const bool same =
+    !object || match.captured(1).toULongLong(nullptr, 16) == reinterpret_cast<quintptr>(object);
+  if (!match.hasMatch() || !same)
+  {
+    return;
+  }
+  this->Messages << match.captured(2).trimmed();
+  this->HasError = this->HasError || event == vtkCommand::ErrorEvent;
+  this->updateLater();
+}
+
+/// Another execution begins. One on a server is only known of by Apply.
+void pqProblem::forget()
+{
+  this->Messages.clear();
+  this->HasError = false;
+  this->updateLater();
+}
+
+void pqProblem::apply()
+{
+  this->forget();
+  this->pqPropertyWidget::apply();
+}
+
+/// Not in the middle of the execution.
+void pqProblem::updateLater()
+{
+  QMetaObject::invokeMethod(this, &pqProblem::updateText, Qt::QueuedConnection);
+}
+
+void pqProblem::updateText()
+{
+  const QString ofInput = this->problemOfInput();
+  const QString text = ofInput.isEmpty() ? this->Messages.join("\n\n") : ofInput;
+  this->Label->setText(text);
+  const bool serious = this->HasError || !ofInput.isEmpty();
+  this->Label->setStyleSheet(
+    QString("background: %1; border-radius: 4px;")
+      .arg(
+        serious ? "#b35900; color: white" : "palette(tooltip-base); color: palette(tooltip-text)"));
+  this->Button->setVisible(IsNoSurface(KnownData(this->proxy())));
+  this->Shown->setVisible(!text.isEmpty());
+}
+
+/// Empty if there is none that can be seen without executing the filter.
+QString pqProblem::problemOfInput() const
+{
+  vtkPVDataInformation* data = KnownData(this->proxy());
+  if (!data || data->IsNull())
+  {
+    return {};
+  }
+  if (IsNoSurface(data))
+  {
+    return tr("The input is not a surface but of the type %1. Take its surface first.")
+      .arg(data->GetPrettyDataTypeString());
+  }
+  if (data->GetNumberOfPoints() == 0)
+  {
+    return tr("The input is empty: it has no points.");
+  }
+  if (data->GetNumberOfCells() == 0)
+  {
+    return tr("The input has points but no faces, so there is nothing to round. Make a surface of "
+              "it first, for example with Delaunay 3D and Extract Surface.");
+  }
+  return {};
+}
+
+void pqProblem::extractSurface()
+{
+  vtkSMPropertyHelper input(this->proxy(), "Input");
+  auto* model = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  const QPointer<pqPipelineSource> item = FindItem(this->proxy());
+  const QPointer<pqPropertiesPanel> panel = FindPanel(this->parentWidget());
+  if (!model || !item)
+  {
+    return;
+  }
+  BEGIN_UNDO_SET(tr("Extract Surface"));
+  vtkSmartPointer<vtkSMProxy> surface;
+  surface.TakeReference(
+    model->GetSessionProxyManager()->NewProxy("filters", "DataSetSurfaceFilter"));
+  vtkNew<vtkSMParaViewPipelineController> controller;
+  controller->PreInitializeProxy(surface);
+  vtkSMPropertyHelper(surface, "Input").Set(model, input.GetOutputPort());
+  controller->PostInitializeProxy(surface);
+  surface->UpdateVTKObjects();
+  controller->RegisterPipelineProxy(surface);
+  if (pqPipelineSource* surfaceItem = FindItem(surface))
+  {
+    surfaceItem->setModifiedState(pqProxy::UNMODIFIED);
+  }
+  vtkSMSourceProxy::SafeDownCast(surface)->UpdatePipeline();
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", item->getProxy());
+    vtkSMPropertyHelper(item->getProxy(), "Input").Set(surface, 0);
+    item->getProxy()->UpdateVTKObjects();
+  }
+  END_UNDO_SET();
+  item->getProxy()
+    ->GetSessionProxyManager()
+    ->GetSelectionModel("ActiveSources")
+    ->SetCurrentProxy(item->getProxy(), vtkSMProxySelectionModel::CLEAR_AND_SELECT);
+  if (panel)
+  {
+    panel->apply();
+  }
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Says in the panel of a filter for surfaces what is wrong: with its input, before Apply, with the
+/// way out as a button where there is one; and with its last execution, of which ParaView tells in
+/// a window of messages alone.
+///
+///     <PropertyGroup label="" panel_widget="Problem">
+///       <Property name="FinalEnergy"/>
+///     </PropertyGroup>
+///
+/// The property is there for its place in the panel, see pqPresets.h. In XML the input of the
+/// filter has to accept every vtkDataSet: otherwise ParaView does not even open the panel, and does
+/// not say why.
+#ifndef pqProblem_h
+#define pqProblem_h
+
+#include "pqObservers.h"
+#include "pqPropertyWidget.h"
+
+#include <QStringList>
+
+class QLabel;
+class QPushButton;
+class vtkSMPropertyGroup;
+
+class pqProblem : public pqPropertyWidget
+{
+  Q_OBJECT
+
+public:
+  pqProblem(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
+
+  void select() override;
+  void apply() override;
+
+private:
+  class Visibility;
+
+  void watchInput();
+  void hear(vtkObject* window, unsigned long event, void* text);
+  void forget();
+  void updateLater();
+  void updateText();
+  QString problemOfInput() const;
+  void extractSurface();
+
+  QLabel* Label;
+  QPushButton* Button;
+  Visibility* Shown;
+  QStringList Messages;  // of the last execution
+  bool HasError = false; // one of them
+  QMetaObject::Connection InputUpdated;
+  pqObservers Observers;
+};
+
+#endif
