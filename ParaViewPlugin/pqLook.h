@@ -4,7 +4,7 @@
 /// Buttons to look at what a filter has done, in the active view: its input in place of its result,
 /// and the result in the colors of an array, with a legend:
 ///
-///     <PropertyGroup label="Look" panel_widget="Look">
+///     <PropertyGroup label="Show" panel_widget="Look">
 ///       <Property name="Converged"/>
 ///       <Hints>
 ///         <Color text="Displacement" array="Displacement" property="GenerateDisplacement"/>

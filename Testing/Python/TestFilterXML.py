@@ -124,7 +124,7 @@ def check_input(port, name, element):
 
 def check_decorator(name, decorator):
     """One that names what is not there hides the property for good, without a word."""
-    if decorator.get("type") in ("FitToPanel", "PanelLabel", "UpdateWhileDragging"):
+    if decorator.get("type") in ("AlwaysInFront", "FitToPanel", "PanelLabel", "UpdateWhileDragging"):
         return  # of no other property
     if decorator.get("type") == "CompositeDecorator":
         return  # those in it are looked at one by one
