@@ -135,6 +135,26 @@ def scattered(whole):
     return np.random.default_rng(1).integers(0, RANKS, whole.GetNumberOfCells())
 
 
+def in_boxes(whole):
+    """The process of each cell by a kd-tree, as VTK redistributes data: across the longest axis of what is left, and
+    about as many cells for each process."""
+    middles = coordinates(whole)[triangles(whole)].mean(axis=1)
+    owner = np.empty(len(middles), dtype=int)
+
+    def split(cells, first, processes):
+        if processes == 1:
+            owner[cells] = first
+            return
+        axis = np.argmax(np.ptp(middles[cells], axis=0))
+        cells = cells[np.argsort(middles[cells, axis], kind="stable")]
+        half = processes // 2
+        cut = len(cells) * half // processes
+        split(cells[:cut], first, half)
+        split(cells[cut:], first + half, processes - half)
+    split(np.arange(len(middles)), 0, RANKS)
+    return owner
+
+
 # ---------------------------------------------------------------------------------- runs, compared
 class Run:
     """A filter's outputs and errors; alone: in this process, as if there were no other."""
@@ -300,6 +320,8 @@ def check_parts():
     pieces = {
         "slices": (in_slices(whole), {}),
         "scattered": (scattered(whole), {}),
+        "boxes of a kd-tree": (in_boxes(whole), {}),
+        "boxes and ghost cells": (in_boxes(whole), {"ghost_levels": 1}),
         "all on the last process": (np.full(cells, RANKS - 1), {}),
         "nothing on the first process": (not_first, {}),
         "ghost cells": (in_slices(whole), {"ghost_levels": 1}),
