@@ -94,10 +94,10 @@ def execute(surface, preset=None, progress=None, **keywords):
     messages = Messages(style)
     if progress:
         style.AddObserver("ProgressEvent", lambda *_: progress(style.GetProgress()))
-    surface, added = _add_arrays(style, surface, keywords)
+    surface, added = add_arrays(style, surface, keywords)
     style.SetInputData(surface)
     style.Update()
-    _raise_errors(messages)
+    raise_errors(messages)
     output = style.GetOutputDataObject(0)
     if isinstance(output, vtkPolyData) and output.GetNumberOfPoints() < surface.GetNumberOfPoints():
         raise Error("The filter gave no result and no reason.")
@@ -120,19 +120,19 @@ def make(preset=None, **keywords):
         if keyword in keywords:
             known[keyword + "_mode"].set(style, "Custom")
     for keyword, value in keywords.items():
-        if keyword in known and not _is_array(keyword, value):
+        if keyword in known and not is_array(keyword, value):
             known[keyword].set(style, value)
     return style
 
 
-def _is_array(keyword, value):
+def is_array(keyword, value):
     """Whether it is for values of each point."""
     return keyword in ARRAYS and (keyword not in properties() or isinstance(value, str) or hasattr(value, "__len__"))
 
 
-def _add_arrays(style, surface, keywords):
+def add_arrays(style, surface, keywords):
     """Tells the filter its arrays. @return the surface with those that it did not have yet, and their names"""
-    arrays = {keyword: value for keyword, value in keywords.items() if _is_array(keyword, value)}
+    arrays = {keyword: value for keyword, value in keywords.items() if is_array(keyword, value)}
     if "centers" in keywords:
         if "center_id" not in arrays:
             raise TypeError("centers needs center_id: the number of the center that each point belongs to")
@@ -165,7 +165,7 @@ def _add_arrays(style, surface, keywords):
     return surface, added
 
 
-def _raise_errors(messages):
+def raise_errors(messages):
     """An error of a property is a ValueError, as when Python finds it."""
     by_name = {property_.name: keyword for keyword, property_ in properties().items()}
     for text in messages.errors:

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkStyleGLTFWriter.h"
+
+#include "vtkFilterSupport.h"
+#include "vtkGLTFDocument.h"
+#include "vtkGLTFScene.h"
+#include "vtkGLTFTargets.h"
+#include "vtkRoundnessTargets.h"
+#include "vtkSphericalStyleFilter.h"
+
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkStyleGLTFWriter);
+
+namespace
+{
+bool IsGLTFName(std::string name)
+{
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  for (const std::string ending : { ".glb", ".gltf" })
+  {
+    if (name.size() > ending.size() &&
+      name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Calls, with the name of the file before messages.
+void Naming(const char* file, const std::function<void()>& call)
+{
+  try
+  {
+    call();
+  }
+  catch (const std::exception& error)
+  {
+    throw std::runtime_error(std::string(file) + ": " + error.what());
+  }
+}
+} // namespace
+
+vtkStyleGLTFWriter::vtkStyleGLTFWriter()
+  : Style(vtkSmartPointer<vtkSphericalStyleFilter>::New())
+{
+}
+
+vtkStyleGLTFWriter::~vtkStyleGLTFWriter()
+{
+  this->SetFileName(nullptr);
+  this->SetSourceFileName(nullptr);
+}
+
+void vtkStyleGLTFWriter::SetStyle(vtkSphericalStyleFilter* style)
+{
+  if (this->Style != style)
+  {
+    this->Style =
+      style ? vtk::MakeSmartPointer(style) : vtkSmartPointer<vtkSphericalStyleFilter>::New();
+    this->Modified();
+  }
+}
+
+vtkSphericalStyleFilter* vtkStyleGLTFWriter::GetStyle()
+{
+  return this->Style;
+}
+
+int vtkStyleGLTFWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+int vtkStyleGLTFWriter::Write()
+{
+  if (!this->SourceFileName)
+  {
+    return this->Superclass::Write();
+  }
+  this->WriteData(); // the superclass would ask for an input
+  return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
+}
+
+void vtkStyleGLTFWriter::WriteData()
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  const std::string name = this->FileName ? this->FileName : "";
+  try
+  {
+    if (!IsGLTFName(name))
+    {
+      this->SetErrorCode(vtkErrorCode::NoFileNameError);
+      throw std::runtime_error("FileName must end in .glb or .gltf; it is \"" + name + "\"");
+    }
+    this->Execute(vtkPolyData::SafeDownCast(this->GetInput()));
+    this->UpdateProgress(1.0);
+  }
+  catch (const std::exception& error)
+  {
+    if (this->GetErrorCode() == vtkErrorCode::NoError)
+    {
+      this->SetErrorCode(vtkErrorCode::UnknownError);
+    }
+    vtkErrorMacro(<< error.what());
+  }
+}
+
+void vtkStyleGLTFWriter::Execute(vtkPolyData* input)
+{
+  // The Style is executed with other values only.
+  vtkFilterSupport::RequireTarget(this->Style->GetRoundness(), nullptr, nullptr);
+  vtkRoundnessTargets::Options options;
+  options.MaximumRoundness = std::max(this->MaximumRoundness, this->Style->GetRoundness());
+  options.Tolerance = this->Tolerance;
+  options.MaximumNumber = this->MaximumNumberOfTargets;
+  options.Progress = [this](double share) { this->UpdateProgress(share); };
+  vtkGLTFDocument document;
+  vtkGLTFScene::Scene scene;
+  if (this->SourceFileName)
+  {
+    Naming(this->SourceFileName,
+      [&]
+      {
+        document = vtkGLTFDocument::Read(this->SourceFileName);
+        scene = vtkGLTFScene::FromDocument(document);
+      });
+    options.MayRefine = false;
+    options.WithNormals = scene.HasNormals;
+    input = scene.Surface;
+  }
+  else if (!input || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  {
+    throw std::runtime_error("the model has no faces");
+  }
+  const vtkRoundnessTargets::Targets targets =
+    vtkRoundnessTargets::Make(input, this->Style, options);
+  for (const std::string& warning : targets.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  Naming(this->SourceFileName ? this->SourceFileName : this->FileName,
+    [&]
+    {
+      if (!this->SourceFileName)
+      {
+        scene = vtkGLTFScene::FromSurface(document, targets.Model);
+      }
+      vtkGLTFTargets::Add(
+        document, scene, targets, vtkRoundnessTargets::SliderOf(this->Style->GetRoundness()));
+    });
+  Naming(this->FileName, [&] { document.Write(this->FileName); });
+  this->NumberOfTargets = static_cast<int>(targets.All.size());
+  this->LargestError = targets.Error;
+  this->LargestJump = targets.Jump;
+  this->Linear = targets.Linear;
+}
+
+void vtkStyleGLTFWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "SourceFileName: " << (this->SourceFileName ? this->SourceFileName : "(none)")
+     << "\n";
+  os << indent << "MaximumRoundness: " << this->MaximumRoundness << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumNumberOfTargets: " << this->MaximumNumberOfTargets << "\n";
+  os << indent << "NumberOfTargets: " << this->NumberOfTargets << "\n";
+  os << indent << "LargestError: " << this->LargestError << "\n";
+  os << indent << "LargestJump: " << this->LargestJump << "\n";
+  os << indent << "Linear: " << (this->Linear ? "yes" : "no") << "\n";
+  os << indent << "Style:\n";
+  this->Style->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""glTF files, read and made with Python's own json and struct: nothing of ours and nothing of VTK."""
+import base64
+import copy
+import json
+import struct
+
+import numpy as np
+
+TYPES = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
+COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
+
+
+def load(path):
+    """The JSON of a .glb or .gltf and the bytes of its buffer."""
+    with open(path, "rb") as file:
+        content = file.read()
+    if content[:4] != b"glTF":
+        root = json.loads(content)
+        return root, b"".join(base64.b64decode(b["uri"].partition("base64,")[2]) for b in root.get("buffers", []))
+    magic, version, length = struct.unpack("<4sII", content[:12])
+    assert (version, length) == (2, len(content)) and length % 4 == 0
+    size, kind = struct.unpack("<I4s", content[12:20])
+    assert kind == b"JSON" and size % 4 == 0
+    root, at, binary = json.loads(content[20:20 + size]), 20 + size, b""
+    if at < length:
+        size, kind = struct.unpack("<I4s", content[at:at + 8])
+        assert kind == b"BIN\0" and size % 4 == 0
+        binary = content[at + 8:at + 8 + size]
+    return root, binary
+
+
+def numbers(root, binary, accessor):
+    """The elements of an accessor, checked against what it says of them."""
+    item = root["accessors"][accessor]
+    view = root["bufferViews"][item["bufferView"]]
+    components = COMPONENTS[item["type"]]
+    first = view.get("byteOffset", 0) + item.get("byteOffset", 0)
+    kind = np.dtype(TYPES[item["componentType"]])
+    assert "byteStride" not in view and first % kind.itemsize == 0
+    assert view.get("byteOffset", 0) + view["byteLength"] <= root["buffers"][0]["byteLength"] <= len(binary)
+    values = np.frombuffer(binary, kind, item["count"] * components, first).reshape(item["count"], components)
+    for key, end in (("min", np.min), ("max", np.max)):
+        if key in item:
+            assert item[key] == end(values, axis=0).tolist(), (accessor, key)
+    return values
+
+
+def points(root, binary, weights, mesh=0, primitive=0, attribute="POSITION"):
+    """Where a viewer shows the points of a primitive for these weights."""
+    item = root["meshes"][mesh]["primitives"][primitive]
+    result = numbers(root, binary, item["attributes"][attribute]).astype(float)
+    assert len(weights) == len(item["targets"])
+    for weight, target in zip(weights, item["targets"]):
+        result = result + weight * numbers(root, binary, target[attribute])
+    return result
+
+
+class Maker:
+    """Makes a file bit by bit."""
+
+    def __init__(self, **root):
+        self.binary = b""
+        self.root = {"asset": {"version": "2.0", "generator": "a test"}, "accessors": [], "bufferViews": [], **root}
+
+    def add(self, values, kind=np.float32, bounds=False, target=None, **more):
+        """@return the number of the new accessor"""
+        values = np.asarray(values, kind)
+        self.binary += b"\0" * (-len(self.binary) % 4)
+        view = {"buffer": 0, "byteOffset": len(self.binary), "byteLength": values.nbytes}
+        self.root["bufferViews"].append({**view, "target": target} if target else view)
+        self.binary += values.tobytes()
+        components = values.shape[1] if values.ndim == 2 else 1
+        names = {count: name for name, count in COMPONENTS.items()}
+        code = next(code for code, known in TYPES.items() if np.dtype(known) == values.dtype)
+        item = {"bufferView": len(self.root["bufferViews"]) - 1, "componentType": code, "count": len(values),
+                "type": names[components], **more}
+        if bounds:
+            rows = values.reshape(len(values), -1)
+            item |= {"min": rows.min(axis=0).tolist(), "max": rows.max(axis=0).tolist()}
+        self.root["accessors"].append(item)
+        return len(self.root["accessors"]) - 1
+
+    def image(self, png):
+        """@return the number of the buffer view"""
+        self.binary += b"\0" * (-len(self.binary) % 4)
+        self.root["bufferViews"].append({"buffer": 0, "byteOffset": len(self.binary), "byteLength": len(png)})
+        self.binary += png
+        return len(self.root["bufferViews"]) - 1
+
+    def bytes(self, more=b""):
+        """The whole file. @param more  further chunks"""
+        root = copy.deepcopy(self.root) | {"buffers": [{"byteLength": len(self.binary)}]}
+        text = json.dumps(root).encode()
+        text += b" " * (-len(text) % 4)
+        binary = self.binary + b"\0" * (-len(self.binary) % 4)
+        length = 12 + 8 + len(text) + 8 + len(binary) + len(more)
+        return struct.pack("<4sIII4s", b"glTF", 2, length, len(text), b"JSON") + text \
+            + struct.pack("<I4s", len(binary), b"BIN\0") + binary + more
+
+    def save(self, path, more=b""):
+        with open(path, "wb") as file:
+            file.write(self.bytes(more))
+        return path

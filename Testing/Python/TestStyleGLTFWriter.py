@@ -1,0 +1,437 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkStyleGLTFWriter and sphericalstyle.write_slider: the slider is the filter, and nothing else changes in a file.
+
+usage: TestStyleGLTFWriter.py DATA_FOLDER
+"""
+import os
+import sys
+import tempfile
+import warnings
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkStripper
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPointSource, vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+import GLTFFiles
+import sphericalstyle as ss
+
+data = os.path.abspath(sys.argv[1])
+folder = tempfile.mkdtemp()
+MU = 3 ** 0.5
+warnings.simplefilter("ignore", ss.StyleWarning)  # of thin parts
+
+
+def read(name):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(os.path.join(data, name))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def points(surface):
+    return vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+
+
+def diagonal(P):
+    return np.linalg.norm(np.ptp(P, axis=0))
+
+
+def slider_of(roundness):
+    return MU * roundness / (1 + MU * roundness)
+
+
+def largest(P, Q):
+    return np.linalg.norm(P - Q, axis=1).max()
+
+
+def chain(places, w):
+    """The weights for a place of the slider, as the page says."""
+    return [np.interp(w, [0, *places], np.eye(len(places) + 1)[k + 1]) for k in range(len(places))]
+
+
+def write(name, mesh, **keywords):
+    path = os.path.join(folder, name)
+    slider = ss.write_slider(path, mesh, **keywords)
+    return (slider, *GLTFFiles.load(path))
+
+
+# ------------------------------------------------------------------------------------------------- one target is all
+creature = read("creature.vtp")
+plain = dict(detail_size=0, keep_size="Off")
+for blend in (0, 0.6):
+    slider, root, binary = write("line.glb", creature, roundness=1.5, normal_blend=blend, **plain)
+    mesh = root["meshes"][0]
+    assert slider == (1, 0, 0, True) and mesh["extras"]["targetNames"] == ["Roundness"], (slider, mesh)
+    assert mesh["extras"]["sphericalStyle"]["roundness"] == "w / (1 - w) / sqrt(3)" and "animations" not in root
+    assert mesh["weights"] == [np.float32(slider_of(1.5))]
+    size, worst = diagonal(points(creature)), 0
+    for roundness in (0, 0.05, 0.1, 0.3, 0.5, 1, 2, 5, 20, 1000):
+        result = ss.round(creature, roundness=roundness, normal_blend=blend, **plain)
+        moved = GLTFFiles.points(root, binary, [slider_of(roundness)])
+        worst = max(worst, largest(moved, points(result)) / size)
+    print(f"NormalBlend {blend}: one target, ten values of Roundness, largest difference {worst:.1e} of the diagonal")
+    assert worst < 1e-6
+    # Normals lie on no line; one target fits them best where nothing crumples.
+    result = ss.round(creature, roundness=1, normal_blend=blend, generate_normals=True, **plain)
+    exact = vtk_to_numpy(result.GetPointData().GetNormals())
+    normals = GLTFFiles.points(root, binary, [slider_of(1)], attribute="NORMAL")
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    angle = np.degrees(np.arccos(np.clip((normals * exact).sum(axis=1), -1, 1)))
+    print(f"normals at Roundness 1: {np.mean(angle):.1f} degrees in the mean, {np.quantile(angle, .99):.1f} for 99 %")
+    assert np.mean(angle) < (2 if blend == 0 else 8)
+flat = GLTFFiles.numbers(root, binary, root["meshes"][0]["primitives"][0]["attributes"]["NORMAL"])
+assert np.allclose(np.linalg.norm(flat, axis=1), 1, atol=1e-6)
+
+# --------------------------------------------------------------------------------------------------- several targets
+# The filter's result may jump on the way; there the slider passes from before to after within 1/256 of its range.
+print("with details: tolerance, targets, largest error and jump that were found; between them: median, next to largest")
+for preset, tolerances in (("Toy", (0.01, 0.003, 0.001)), ("Ball", (0.001,)), ("Pebble", (0.001,)), ("Puffy", (0.003,))):
+    counts = []
+    style = ss.rounding.make(preset)
+    style.SetInputData(creature)
+    for tolerance in tolerances:
+        slider, root, binary = write("chain.glb", creature, preset=preset, tolerance=tolerance)
+        told = root["meshes"][0]["extras"]["sphericalStyle"]
+        places = told["places"]
+        assert slider.targets == len(places) == told["numberOfTargets"] and not slider.linear
+        assert slider.error == told["largestError"] and slider.jump == told["largestJump"]
+        worst = []
+        for w in np.linspace(0, places[-1], 30 if tolerance == 0.001 else 9):
+            style.SetRoundness(w / (1 - w) / MU)
+            style.Update()
+            moved = GLTFFiles.points(root, binary, chain(places, w))
+            near = slider.jump > 0 and any(a - 1 / 256 < w < b + 1 / 256 for a, b in zip([0, *places], places)
+                                           if b - a < 2.1 / 256)
+            if not near:
+                worst.append(largest(moved, points(style.GetOutput())) / size)
+        worst.sort()
+        print(f"  {preset} {tolerance}: {slider.targets}, {slider.error:.2g}, {slider.jump:.2g};"
+              f" {np.median(worst):.2g}, {worst[-2]:.2g}, {worst[-1]:.2g}")
+        counts.append(slider.targets)
+        if preset == "Puffy":  # jumps so often that the number of targets is at its limit
+            assert slider.targets <= 32 and slider.jump > 0
+        else:
+            assert slider.error <= tolerance and worst[-1] <= 1.1 * tolerance, worst
+    assert counts == sorted(counts), counts
+
+# ------------------------------------------------------------------------------------------------ kinds of surfaces
+cube = vtkCubeSource()
+cube.Update()
+slider, root, binary = write("cube.gltf", cube.GetOutput())  # coarse: it is split first, polygons are cut
+primitive = root["meshes"][0]["primitives"][0]
+P = GLTFFiles.numbers(root, binary, primitive["attributes"]["POSITION"])
+F = GLTFFiles.numbers(root, binary, primitive["indices"]).reshape(-1, 3)
+rounded = ss.round(cube.GetOutput())
+assert len(P) == rounded.GetNumberOfPoints() > 100 and F.max() == len(P) - 1
+assert (P.min(axis=0) == -0.5).all() and (P.max(axis=0) == 0.5).all()
+at_one = chain(root["meshes"][0]["extras"]["sphericalStyle"]["places"], slider_of(1))
+assert np.allclose(root["meshes"][0]["weights"], at_one, atol=1e-6)  # opened at the Roundness of the filter
+assert largest(GLTFFiles.points(root, binary, at_one), points(rounded)) < 0.001 * diagonal(P)
+
+sphere = vtkSphereSource()
+sphere.SetThetaResolution(30)
+sphere.SetPhiResolution(30)
+sphere.Update()
+stripper = vtkStripper()
+stripper.SetInputData(sphere.GetOutput())
+stripper.Update()
+assert stripper.GetOutput().GetNumberOfStrips() > 0
+_, root, binary = write("strips.glb", stripper.GetOutput())
+assert root["accessors"][root["meshes"][0]["primitives"][0]["indices"]]["count"] == 3 * sphere.GetOutput().GetNumberOfPolys()
+
+colored = vtkPolyData()
+colored.DeepCopy(sphere.GetOutput())
+count = colored.GetNumberOfPoints()
+coordinates = np.random.default_rng(1).random((count, 2)).astype(np.float32)
+colors = np.random.default_rng(2).integers(0, 256, (count, 3), dtype=np.uint8)
+for values, name in ((coordinates, "UV"), (colors, "RGB")):
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    colored.GetPointData().AddArray(array)
+colored.GetPointData().SetActiveTCoords("UV")
+_, root, binary = write("colored.glb", colored)
+attributes = root["meshes"][0]["primitives"][0]["attributes"]
+assert (GLTFFiles.numbers(root, binary, attributes["TEXCOORD_0"]) == coordinates).all()
+written = GLTFFiles.numbers(root, binary, attributes["COLOR_0"])
+assert (written[:, :3] == colors).all() and (written[:, 3] == 255).all()
+normals = vtk_to_numpy(sphere.GetOutput().GetPointData().GetNormals())
+assert np.allclose(GLTFFiles.numbers(root, binary, attributes["NORMAL"]), normals, atol=1e-6)
+
+# VTK's own reader takes it, where the slider is.
+again = ss.read(os.path.join(folder, "colored.glb"))
+shown = GLTFFiles.points(root, binary, root["meshes"][0]["weights"])
+assert again.GetNumberOfPoints() == count and largest(points(again), shown) < 1e-6, largest(points(again), shown)
+
+# A part of the model, by an array of it; and as arrays of numpy.
+region = points(colored)[:, 2] > 0
+_, root, binary = write("part.glb", colored, region=region)
+moved = GLTFFiles.points(root, binary, chain(root["meshes"][0]["extras"]["sphericalStyle"]["places"], 0.6))
+still = (moved == points(colored)).all(axis=1)
+assert still[~region].all() and not still.all()
+triangles = vtk_to_numpy(colored.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+write("arrays.glb", (points(colored), triangles))
+
+# The filter is somebody's: it is as before.
+style = ss.vtkSphericalStyleFilter()
+style.SetInputData(creature)
+style.SetRoundness(0.7)
+style.Update()
+before = points(style.GetOutput())
+writer = ss.vtkStyleGLTFWriter()
+writer.SetStyle(style)
+writer.SetInputData(sphere.GetOutput())
+writer.SetFileName(os.path.join(folder, "own.glb"))
+assert writer.Write() == 1
+style.Update()
+assert style.GetInput() is creature and style.GetRoundness() == 0.7 and not style.GetGenerateNormals()
+assert (points(style.GetOutput()) == before).all()
+
+# ------------------------------------------------------------------------------------------- targets for other files
+PNG = bytes.fromhex("89504e470d0a1a0a0000000d4948445200000001000000010802000000907753de0000000c49444154789c63f8cfc000"
+                    "0003010100c9fe92ef0000000049454e44ae426082")
+
+
+def ball(center, size):
+    """Points, normals and triangles of a sphere with a seam: the points of one meridian are there twice."""
+    u, v = np.meshgrid(np.linspace(0, 2 * np.pi, 25), np.linspace(0, np.pi, 13))
+    u[:, -1] = 0
+    n = np.stack([np.sin(v) * np.cos(u), np.cos(v), np.sin(v) * np.sin(u)], axis=-1).reshape(-1, 3)
+    ids = np.arange(len(n)).reshape(u.shape)
+    quads = [ids[:-1, :-1], ids[:-1, 1:], ids[1:, 1:], ids[1:, :-1]]
+    triangles = np.concatenate([np.stack([quads[0], quads[1], quads[2]], -1).reshape(-1, 3),
+                                np.stack([quads[0], quads[2], quads[3]], -1).reshape(-1, 3)])
+    uv = np.stack(np.meshgrid(np.linspace(0, 1, 25), np.linspace(0, 1, 13)), -1).reshape(-1, 2)
+    return (np.asarray(center) + n * size).astype(np.float32), n.astype(np.float32), triangles, uv.astype(np.float32)
+
+
+def make_scene():
+    """A file with all that has to stay: a texture, a skin, morph targets with an animation, a node that mirrors and
+    one that scales unevenly, a mesh shown twice, lines, somebody's extras and an extension, in an order of its own."""
+    maker = GLTFFiles.Maker(extras={"author": "somebody", "number": 0.1}, extensionsUsed=["KHR_materials_unlit"],
+                            scene=0)
+    view = maker.image(PNG)
+    maker.root |= {
+        "images": [{"bufferView": view, "mimeType": "image/png"}], "textures": [{"source": 0}],
+        "materials": [{"name": "Skin", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicFactor": 0.25},
+                       "extensions": {"KHR_materials_unlit": {}}}]}
+    P, N, F, UV = ball((0, 0, 0), (1, 2, 0.7))
+    indices = maker.add(F.ravel(), np.uint16, target=34963)
+    shape = {"POSITION": maker.add(P, bounds=True, target=34962), "NORMAL": maker.add(N, target=34962),
+             "TEXCOORD_0": maker.add(UV, target=34962)}
+    grin = maker.add(np.where(P[:, 1:2] > 1, np.float32(0.2), np.float32(0)) * [0, 1, 0], bounds=True, target=34962)
+    weights = np.zeros((len(P), 4), np.float32)
+    weights[:, 0] = (P[:, 1] + 2) / 4
+    weights[:, 1] = 1 - weights[:, 0]
+    bones = np.zeros((len(P), 4), np.uint8)
+    bones[:, 1] = 1
+    skinned = shape | {"JOINTS_0": maker.add(bones, np.uint8, target=34962),
+                       "WEIGHTS_0": maker.add(weights, target=34962)}
+    line = maker.add([[0, 0, 0], [0, 3, 0]], bounds=True, target=34962)
+    bind = np.tile(np.eye(4, dtype=np.float32), (2, 1, 1))
+    bind[:, 3, :3] = [[0, -1, 0], [0, 1, 0]]
+    matrices = maker.add(bind.reshape(2, 16))
+    times = maker.add([0, 1, 2], bounds=True)
+    smile = maker.add([0, 1, 0])
+    turns = maker.add([[0, 0, 0, 1], [0, 0.6, 0, 0.8], [0, 0, 0, 1]])
+    maker.root |= {
+        "meshes": [
+            {"name": "Face", "extras": {"targetNames": ["Grin"], "keep": [1, 2.5]}, "weights": [0.25], "primitives": [
+                {"attributes": shape, "indices": indices, "material": 0, "targets": [{"POSITION": grin}]}]},
+            {"name": "Body", "primitives": [{"attributes": skinned, "indices": indices, "material": 0}]},
+            {"name": "Wheel", "primitives": [{"attributes": {"POSITION": shape["POSITION"]}, "indices": indices}]},
+            {"name": "Line", "primitives": [{"attributes": {"POSITION": line}, "mode": 1}]}],
+        "skins": [{"joints": [5, 6], "inverseBindMatrices": matrices}],
+        "nodes": [
+            {"name": "Root", "children": [1, 2, 3, 4, 5, 7], "scale": [2, 2, 2]},
+            {"name": "Face", "mesh": 0, "translation": [0, 3, 0], "rotation": [0, 0.6, 0, 0.8], "weights": [0.5]},
+            {"name": "Body", "mesh": 1, "skin": 0, "translation": [100, 0, 0]},
+            {"name": "Left", "mesh": 2, "translation": [-3, -2, 0], "scale": [0.5, 1, 1.5]},
+            {"name": "Right", "mesh": 2, "matrix": [-0.5, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1.5, 0, 3, -2, 0, 1]},
+            {"name": "Hip", "translation": [0, 1, 0], "children": [6]}, {"name": "Head", "translation": [0, -2, 0]},
+            {"name": "Line", "mesh": 3}],
+        "scenes": [{"nodes": [0]}],
+        "animations": [{"name": "Smile", "samplers": [{"input": times, "output": smile}, {"input": times, "output": turns}],
+                        "channels": [{"sampler": 0, "target": {"node": 1, "path": "weights"}},
+                                     {"sampler": 1, "target": {"node": 3, "path": "rotation"}}]}]}
+    return maker
+
+
+maker = make_scene()
+other = b"\x04\0\0\0TEST1234"  # a chunk that nobody knows
+source = maker.save(os.path.join(folder, "scene.glb"), other)
+with open(source, "rb") as file:
+    original = file.read()
+for keywords in (dict(detail_size=0.0, keep_size="Off"), dict(preset="Toy")):
+    slider, root, binary = write("scene-slider.glb", source, **keywords)
+    with open(os.path.join(folder, "scene-slider.glb"), "rb") as file:
+        assert file.read().endswith(other)
+    with open(source, "rb") as file:
+        assert file.read() == original
+    n = slider.targets
+    before, old = GLTFFiles.load(source)
+    size = before["buffers"][0]["byteLength"]
+    assert binary[:size] == old[:size], "what was in the buffer is as it was"
+    # Taken away what is new, the JSON is the same, also in its order.
+    for key in ("accessors", "bufferViews", "animations", "meshes"):
+        root[key + "+"], root[key] = root[key][len(before[key]):], root[key][:len(before[key])]
+    root["buffers"][0]["byteLength"] = size
+    for k, (mesh, had) in enumerate(zip(root["meshes"], before["meshes"])):
+        targets = had["primitives"][0].get("targets", [])
+        assert mesh["extras"]["targetNames"][:len(targets)] == ["Grin"][:len(targets)]
+        assert len(mesh["extras"]["targetNames"]) == len(mesh["weights"]) == len(targets) + n
+        assert mesh["extras"]["sphericalStyle"]["firstTarget"] == len(targets)
+        for primitive, own in zip(mesh["primitives"], had["primitives"]):
+            new = primitive["targets"][len(targets):]
+            assert primitive["targets"][:len(targets)] == targets and len(new) == n
+            assert all(set(target) == {"POSITION", "NORMAL"} & set(own["attributes"]) for target in new)
+        assert k != 0 or mesh["weights"][:1] == [0.25]
+    all_meshes = root["meshes"] + root["meshes+"]
+    places = all_meshes[0]["extras"]["sphericalStyle"].get("places")
+    stripped = {key: value for key, value in root.items() if not key.endswith("+")}
+    for mesh, had in zip(stripped["meshes"], before["meshes"]):
+        shown = {key: mesh[key] for key in had}
+        shown["primitives"] = [{key: primitive[key] for key in own}
+                               for primitive, own in zip(mesh["primitives"], had["primitives"])]
+        for primitive, own in zip(shown["primitives"], had["primitives"]):
+            if "targets" in own:
+                primitive["targets"] = primitive["targets"][:len(own["targets"])]
+        if "weights" in had:
+            shown["weights"] = mesh["weights"][:len(had["weights"])]
+        if "extras" in had:
+            shown["extras"] = {key: value for key, value in mesh["extras"].items() if key in had["extras"]}
+            shown["extras"]["targetNames"] = shown["extras"]["targetNames"][:len(had["extras"]["targetNames"])]
+        assert shown == had and list(shown) == list(had)
+    stripped["meshes"] = before["meshes"]
+    nodes = stripped["nodes"]
+    assert nodes[1]["weights"][0] == 0.5 and len(nodes[1]["weights"]) == 1 + n
+    nodes[1]["weights"] = [0.5]
+    assert nodes[4]["mesh"] == 4 and len(root["meshes+"]) == 1  # shown twice: each place moves in its own way
+    nodes[4]["mesh"] = 2
+    assert all_meshes[4]["primitives"][0]["attributes"] == before["meshes"][2]["primitives"][0]["attributes"]
+    smile = stripped["animations"][0]["samplers"][0]
+    everything = dict(root, accessors=root["accessors"] + root["accessors+"],
+                      bufferViews=root["bufferViews"] + root["bufferViews+"], meshes=all_meshes)
+    everything["buffers"] = [{"byteLength": len(binary)}]
+    output = GLTFFiles.numbers(everything, binary, smile["output"]).reshape(3, 1 + n)
+    assert output[:, 0].tolist() == [0, 1, 0] and (output[:, 1:] == np.float32(all_meshes[0]["weights"][1:])).all()
+    smile["output"] = before["animations"][0]["samplers"][0]["output"]
+    assert stripped == before and list(stripped) == list(before)
+    assert len(root["animations+"]) == (0 if n == 1 else 1)
+
+    # In space, all meshes are rounded as one model: the filter's result of them.
+    turn = np.array([[0.28, 0, 0.96], [0, 1, 0], [-0.96, 0, 0.28]])
+    P, N, F, UV = ball((0, 0, 0), (1, 2, 0.7))
+    matrices = [2 * turn, 2 * np.eye(3), 2 * np.diag([0.5, 1, 1.5]), 2 * np.diag([-0.5, 1, 1.5])]
+    shifts = 2 * np.array([[0, 3, 0], [0, 0, 0], [-3, -2, 0], [3, -2, 0]])
+    order = [0, 1, 2, 3]
+    world = [P @ matrix.T + shift for matrix, shift in zip(matrices, shifts)]
+    model = ss.meshes.surface_of(np.concatenate(world).astype(np.float32).astype(float),
+                                 np.concatenate([(F if k < 3 else F[:, ::-1]) + k * len(P) for k in order]))
+    for w in (0.3, 0.8):
+        rounded = points(ss.round(model, refine_long_edges="Off", roundness=w / (1 - w) / MU, **keywords)).reshape(4, -1, 3)
+        for k in order:
+            weights = [w] if n == 1 else chain(places, w)
+            weights = [0] * (k == 0) + weights
+            local = GLTFFiles.points(everything, binary, weights, k if k < 3 else 4)
+            found = local @ matrices[k].T + shifts[k]
+            error = largest(found, rounded[k]) / diagonal(np.concatenate(world))
+            assert error < (3e-6 if n == 1 else 0.0015), (k, w, error)
+            seam = local.reshape(13, 25, 3)
+            assert (seam[:, 0] == seam[:, -1]).all(), "the seam is shut"
+    line = GLTFFiles.points(everything, binary, [0.8] * n, 3)
+    assert (line == [[0, 0, 0], [0, 3, 0]]).all()
+    print(f"scene with {n} target(s): JSON and buffer as before, points as the filter's")
+
+# From JSON with a buffer in it, to both kinds.
+text = os.path.join(folder, "scene.gltf")
+ss.write_slider(text, source, **plain)
+for name in ("again.glb", "again.gltf"):
+    slider, root, binary = write(name, text, **plain)
+    assert len(root["meshes"][0]["primitives"][0]["targets"]) == 3 and len(root["buffers"]) == (1 if name.endswith("b") else 2)
+assert ss.read(os.path.join(folder, "again.glb")).GetNumberOfPoints() > 0
+
+# ------------------------------------------------------------------------------------------------- what cannot be
+sys.stdout.flush()
+
+
+def refused(call, *words):
+    try:
+        call()
+    except (ss.Error, ValueError, TypeError) as error:
+        assert all(word in str(error) for word in words), error
+        return str(error)
+    raise AssertionError(f"not refused: {words}")
+
+
+good = os.path.join(folder, "x.glb")
+refused(lambda: ss.write_slider("x.ply", creature), "x.ply", ".glb and .gltf")
+refused(lambda: ss.write_slider(good, creature, maximum_roundness=-1), "maximum_roundness must be 0.01 to 1000")
+refused(lambda: ss.write_slider(good, creature, roundness=-1), "roundness must be", "-1")
+refused(lambda: ss.write_slider(good, creature, roundnes=1), "roundnes")
+refused(lambda: ss.write_slider(good, os.path.join(folder, "none.glb")), "no such file")
+refused(lambda: ss.write_slider(os.path.join(folder, "no", "x.glb"), creature), "x.glb", "cannot be written")
+cloud = vtkPointSource()
+cloud.Update()
+refused(lambda: ss.write_slider(good, cloud.GetOutput()), "no faces")
+assert not os.path.exists(good)
+
+
+def with_file(content):
+    path = os.path.join(folder, "bad.glb")
+    with open(path, "wb") as file:
+        file.write(content)
+    return lambda: ss.write_slider(good, path, **plain)
+
+
+def changed(change):
+    maker = make_scene()
+    change(maker.root)
+    return with_file(maker.bytes())
+
+
+refused(with_file(b""), "bad.glb", "not glTF")
+refused(with_file(b"solid nothing"), "bad.glb", "not glTF")
+refused(with_file(b"[" * 100000), "nested")
+refused(with_file(b'{"asset": {"version": "1.0"}}'), "version 1.0")
+refused(with_file(b'{"asset": {"version": "2.0"}}'), "no triangles")
+refused(changed(lambda root: root.update(extensionsRequired=["KHR_draco_mesh_compression"])), "gltf-transform")
+refused(changed(lambda root: root["nodes"][6].update(children=[0])), "not a tree")
+refused(changed(lambda root: root["nodes"][3].update(scale=[0, 1, 1])), "node 3", "flattened")
+refused(changed(lambda root: root["nodes"][3].update(scale=[1, 1])), "node 3", "scale must be 3 numbers")
+refused(changed(lambda root: root["nodes"][3].update(mesh=9)), "node 3", "item 9")
+refused(changed(lambda root: root["accessors"][1].update(count=10 ** 7)), "accessor 1", "leads out of bufferView")
+refused(changed(lambda root: root["accessors"][1].update(count=-1)), "accessor 1", "whole number")
+refused(changed(lambda root: root["accessors"][1].update(componentType=7)), "componentType 7")
+refused(changed(lambda root: root["bufferViews"][2].update(byteOffset=10 ** 9)), "bufferView 2", "leads out of buffer 0")
+refused(changed(lambda root: root["meshes"][0]["primitives"][0].update(indices=2)), "SCALAR")
+for cut in range(0, len(original) - len(other), 97):
+    refused(with_file(original[:cut]), "bad.glb")
+# Any change of the JSON gives a file or one message.
+random = np.random.default_rng(5)
+keys = [b'"mesh"', b'"bufferView"', b'"byteOffset"', b'"byteLength"', b'"count"', b'"nodes"', b'"children"', b'"joints"',
+        b'"targets"', b'"sampler"', b'"output"', b'"type"', b'"scene"', b'"buffer"', b'"componentType"', b'"samplers"']
+values = [b"-1", b"999", b"1e300", b"4294967296", b"null", b'"x"', b"[]", b"{}", b"true", b"18446744073709551615"]
+outcomes = {"written": 0, "refused": 0}
+for key in keys:
+    for value in values:
+        places = [k for k in range(len(original)) if original.startswith(key + b": ", k)]
+        at = random.choice(places) + len(key) + 2
+        end = next(k for k in range(at, len(original)) if original[k:k + 1] in b",}]")
+        length = int.from_bytes(original[12:16], "little")
+        json_text = original[20:at] + value + original[end:20 + length]
+        json_text += b" " * (-len(json_text) % 4)
+        rest = original[20 + length:]
+        content = original[:8] + (20 + len(json_text) + len(rest)).to_bytes(4, "little") \
+            + len(json_text).to_bytes(4, "little") + b"JSON" + json_text + rest
+        try:
+            with_file(content)()
+            outcomes["written"] += 1
+        except ss.Error as error:
+            outcomes["refused"] += 1
+            assert str(error).startswith(os.path.join(folder, "bad.glb")) or "the filter" in str(error), error
+print("changed files:", outcomes)
+assert outcomes["refused"] > len(keys) * len(values) / 2
