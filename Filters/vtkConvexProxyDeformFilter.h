@@ -71,6 +71,7 @@
 #define vtkConvexProxyDeformFilter_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
+#include "vtkSetRangeMacro.h"            // for its macro
 #include "vtkStyleAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
@@ -166,7 +167,7 @@ public:
    * hull, slivers included). A sampling mesher that fails, on thin and flat hulls, hands over to
    * IsotropicRemeshing with a warning. No effect with a proxy of your own.
    */
-  vtkSetClampMacro(ProxyMesher, int, ISOTROPIC_REMESHING, SUBDIVIDED_HULL);
+  vtkSetRangeMacro(ProxyMesher, int, ISOTROPIC_REMESHING, SUBDIVIDED_HULL);
   vtkGetMacro(ProxyMesher, int);
   void SetProxyMesherToIsotropicRemeshing() { this->SetProxyMesher(ISOTROPIC_REMESHING); }
   void SetProxyMesherToBallPivoting() { this->SetProxyMesher(BALL_PIVOTING); }
@@ -180,7 +181,7 @@ public:
    * or WholeModel (it is pulled to the ball of the whole model). A region that lies in a plane
    * takes the whole model's.
    */
-  vtkSetClampMacro(HullOf, int, WHOLE_MODEL, REGION);
+  vtkSetRangeMacro(HullOf, int, WHOLE_MODEL, REGION);
   vtkGetMacro(HullOf, int);
   void SetHullOfToWholeModel() { this->SetHullOf(WHOLE_MODEL); }
   void SetHullOfToRegion() { this->SetHullOf(REGION); }
@@ -191,7 +192,7 @@ public:
    * Points of the proxy, about: more follow the hull closer and take longer. SubdividedHull has at
    * least those of the hull. Range 4 to 1,000,000. Default 5000.
    */
-  vtkSetClampMacro(NumberOfProxyPoints, int, 4, 1000000);
+  vtkSetRangeMacro(NumberOfProxyPoints, int, 4, 1000000);
   vtkGetMacro(NumberOfProxyPoints, int);
   ///@}
 
@@ -200,7 +201,7 @@ public:
    * Seed of the samples of BallPivoting and AdvancingFront: the same seed, the same bits. 0 or
    * more. Default 0.
    */
-  vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
+  vtkSetRangeMacro(Seed, int, 0, VTK_INT_MAX);
   vtkGetMacro(Seed, int);
   ///@}
 
@@ -219,7 +220,7 @@ public:
    * Where the center O of the target sphere lies: PointMean (default; mean of the proxy's points),
    * AreaCentroid (of the proxy's surface) or Custom (Center).
    */
-  vtkSetClampMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
+  vtkSetRangeMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
   vtkGetMacro(CenterMode, int);
   void SetCenterModeToPointMean() { this->SetCenterMode(POINT_MEAN); }
   void SetCenterModeToAreaCentroid() { this->SetCenterMode(AREA_CENTROID); }
@@ -239,7 +240,7 @@ public:
    * Radius r of the target sphere: EqualArea (default, sqrt(A / 4 pi) of the proxy), EqualVolume
    * (cube root of 3 V / 4 pi) or Custom (Radius).
    */
-  vtkSetClampMacro(RadiusMode, int, EQUAL_AREA, CUSTOM_RADIUS);
+  vtkSetRangeMacro(RadiusMode, int, EQUAL_AREA, CUSTOM_RADIUS);
   vtkGetMacro(RadiusMode, int);
   void SetRadiusModeToEqualArea() { this->SetRadiusMode(EQUAL_AREA); }
   void SetRadiusModeToEqualVolume() { this->SetRadiusMode(EQUAL_VOLUME); }
@@ -260,7 +261,7 @@ public:
    * does not depend on the proxy's triangles and comes in closed form, or Uniform (thesis). On even
    * triangles both are the same; on those of SubdividedHull only Cotangent is smooth.
    */
-  vtkSetClampMacro(SphericalWeighting, int, UNIFORM, COTANGENT);
+  vtkSetRangeMacro(SphericalWeighting, int, UNIFORM, COTANGENT);
   vtkGetMacro(SphericalWeighting, int);
   void SetSphericalWeightingToUniform() { this->SetSphericalWeighting(UNIFORM); }
   void SetSphericalWeightingToCotangent() { this->SetSphericalWeighting(COTANGENT); }
@@ -273,7 +274,7 @@ public:
    * projection along the proxy's normal that deviates least from the point's own normal: recesses
    * such as doors do not sink further) or DirectionArray (along a vector per point, input array 1).
    */
-  vtkSetClampMacro(Projection, int, CLOSEST_POINT, DIRECTION_ARRAY);
+  vtkSetRangeMacro(Projection, int, CLOSEST_POINT, DIRECTION_ARRAY);
   vtkGetMacro(Projection, int);
   void SetProjectionToClosestPoint() { this->SetProjection(CLOSEST_POINT); }
   void SetProjectionToNearestVertices() { this->SetProjection(NEAREST_VERTICES); }
@@ -286,7 +287,7 @@ public:
    * k of NearestVertices: with more, the true nearest triangle is missed less often. Range 1 to
    * 100. Default 4 (thesis).
    */
-  vtkSetClampMacro(NumberOfNeighbors, int, 1, 100);
+  vtkSetRangeMacro(NumberOfNeighbors, int, 1, 100);
   vtkGetMacro(NumberOfNeighbors, int);
   ///@}
 
@@ -296,7 +297,7 @@ public:
    * BlendAtEnd as Linear s, Quadratic s^2, Tanh (steepest in the middle) or Smoothstep
    * s^2 (3 - 2 s), s = 0..1 over BlendRange; or Array (input array 2).
    */
-  vtkSetClampMacro(BlendFunction, int, CONSTANT, ARRAY);
+  vtkSetRangeMacro(BlendFunction, int, CONSTANT, ARRAY);
   vtkGetMacro(BlendFunction, int);
   void SetBlendFunctionToConstant() { this->SetBlendFunction(CONSTANT); }
   void SetBlendFunctionToLinear() { this->SetBlendFunction(LINEAR); }
@@ -311,7 +312,7 @@ public:
    * t of BlendFunction Constant: 1 leaves the model as it is, 0 puts it on the rounded proxy. No
    * unit. Range 0..1. Default 0.5.
    */
-  vtkSetClampMacro(Blend, double, 0.0, 1.0);
+  vtkSetRangeMacro(Blend, double, 0.0, 1.0);
   vtkGetMacro(Blend, double);
   ///@}
 
@@ -338,9 +339,9 @@ public:
    * t where the run starts and where it ends. Range 0..1. Default 0 and 1: from the rounded proxy
    * to the unmoved model.
    */
-  vtkSetClampMacro(BlendAtStart, double, 0.0, 1.0);
+  vtkSetRangeMacro(BlendAtStart, double, 0.0, 1.0);
   vtkGetMacro(BlendAtStart, double);
-  vtkSetClampMacro(BlendAtEnd, double, 0.0, 1.0);
+  vtkSetRangeMacro(BlendAtEnd, double, 0.0, 1.0);
   vtkGetMacro(BlendAtEnd, double);
   ///@}
 
@@ -368,7 +369,7 @@ public:
    * input's bounds. Wider is smoother, 0 leaves a step. No effect without a region. Range 0..1.
    * Default 0.2.
    */
-  vtkSetClampMacro(BorderWidth, double, 0.0, 1.0);
+  vtkSetRangeMacro(BorderWidth, double, 0.0, 1.0);
   vtkGetMacro(BorderWidth, double);
   ///@}
 
@@ -377,7 +378,7 @@ public:
    * What becomes of the distance between point and proxy: Blend (default; Eq. 5.18, it shrinks by
    * t, so that details flatten) or Offset (it is kept, turned with the proxy).
    */
-  vtkSetClampMacro(Transfer, int, BLEND, OFFSET);
+  vtkSetRangeMacro(Transfer, int, BLEND, OFFSET);
   vtkGetMacro(Transfer, int);
   void SetTransferToBlend() { this->SetTransfer(BLEND); }
   void SetTransferToOffset() { this->SetTransfer(OFFSET); }
@@ -390,7 +391,7 @@ public:
    * with an edge above a tenth of the diagonal) or On. The output then has more points and cells
    * than the input (RefinedPoint, OriginalCell), as with vtkSphericalStyleFilter.
    */
-  vtkSetClampMacro(RefineLongEdges, int, NEVER, ALWAYS);
+  vtkSetRangeMacro(RefineLongEdges, int, NEVER, ALWAYS);
   vtkGetMacro(RefineLongEdges, int);
   void SetRefineLongEdgesToOff() { this->SetRefineLongEdges(NEVER); }
   void SetRefineLongEdgesToAutomatic() { this->SetRefineLongEdges(WHERE_COARSE); }

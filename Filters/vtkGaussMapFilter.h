@@ -70,6 +70,7 @@
 
 #include "SphericalStyleFiltersModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSetRangeMacro.h" // for its macro
 
 class vtkTable;
 
@@ -97,7 +98,7 @@ public:
    * point. Point normals are those of the input, as they are; where it has none they are computed
    * from the triangles, weighted by angle, and coincident points count as one.
    */
-  vtkSetClampMacro(NormalSource, int, FACE_NORMALS, POINT_NORMALS);
+  vtkSetRangeMacro(NormalSource, int, FACE_NORMALS, POINT_NORMALS);
   vtkGetMacro(NormalSource, int);
   void SetNormalSourceToFaceNormals() { this->SetNormalSource(FACE_NORMALS); }
   void SetNormalSourceToPointNormals() { this->SetNormalSource(POINT_NORMALS); }
@@ -129,7 +130,7 @@ public:
    * Number of equal-area units. More resolve finer detail and need more normals: at least about
    * ten per unit. Range 10 to 100,000. Default 1000, about 6.4 degrees wide.
    */
-  vtkSetClampMacro(NumberOfEqualAreaUnits, int, 10, 100000);
+  vtkSetRangeMacro(NumberOfEqualAreaUnits, int, 10, 100000);
   vtkGetMacro(NumberOfEqualAreaUnits, int);
   ///@}
 
@@ -137,7 +138,7 @@ public:
   /**
    * Units that output 0 shows: EqualAngle (default; 360 x 180, Fig. 4.24) or EqualArea.
    */
-  vtkSetClampMacro(SphereUnits, int, EQUAL_ANGLE, EQUAL_AREA);
+  vtkSetRangeMacro(SphereUnits, int, EQUAL_ANGLE, EQUAL_AREA);
   vtkGetMacro(SphereUnits, int);
   void SetSphereUnitsToEqualAngle() { this->SetSphereUnits(EQUAL_ANGLE); }
   void SetSphereUnitsToEqualArea() { this->SetSphereUnits(EQUAL_AREA); }

@@ -18,6 +18,7 @@
 #define vtkIterativeStyleAlgorithm_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
+#include "vtkSetRangeMacro.h"            // for its macro
 #include "vtkStyleAlgorithm.h"
 
 namespace SphericalStyle
@@ -46,7 +47,7 @@ public:
    * with up to 30 % of the displacement still missing) or FixedIterations (exactly
    * MaximumNumberOfIterations). The last two do plain local and global steps.
    */
-  vtkSetClampMacro(StopRule, int, CONVERGED, FIXED_ITERATIONS);
+  vtkSetRangeMacro(StopRule, int, CONVERGED, FIXED_ITERATIONS);
   vtkGetMacro(StopRule, int);
   void SetStopRuleToConverged() { this->SetStopRule(CONVERGED); }
   void SetStopRuleToThesis() { this->SetStopRule(THESIS); }
@@ -59,7 +60,7 @@ public:
    * unmoved model, E* that of the minimum. Smaller is nearer and slower. No unit. Above 0, below 1.
    * Default 1e-4; 1e-3 of vtkCubicStyleFilter.
    */
-  vtkSetClampMacro(Tolerance, double, 1e-14, 0.5);
+  vtkSetRangeMacro(Tolerance, double, 1e-14, 0.5);
   vtkGetMacro(Tolerance, double);
   ///@}
 
@@ -68,7 +69,7 @@ public:
    * Bound on local/global iterations, or their exact number with FixedIterations. Reaching it
    * without convergence is a warning. 0 or more. Default 200; 500 of vtkCubicStyleFilter.
    */
-  vtkSetClampMacro(MaximumNumberOfIterations, int, 0, VTK_INT_MAX);
+  vtkSetRangeMacro(MaximumNumberOfIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfIterations, int);
   ///@}
 

@@ -45,6 +45,7 @@
 
 #include "SphericalStyleFiltersModule.h" // for export macro
 #include "vtkIterativeStyleAlgorithm.h"
+#include "vtkSetRangeMacro.h" // for its macro
 
 #include <memory> // for std::unique_ptr
 
@@ -89,7 +90,7 @@ public:
    * the steps. At most 50000 points, and 1000000 points times neighbors of the last point: more is
    * an error.
    */
-  vtkSetClampMacro(CenterConstraint, int, CORRECTED, AS_WRITTEN);
+  vtkSetRangeMacro(CenterConstraint, int, CORRECTED, AS_WRITTEN);
   vtkGetMacro(CenterConstraint, int);
   void SetCenterConstraintToCorrected() { this->SetCenterConstraint(CORRECTED); }
   void SetCenterConstraintToAsWritten() { this->SetCenterConstraint(AS_WRITTEN); }
@@ -100,7 +101,7 @@ public:
    * Where the center O lies: AreaCentroid (default; the same for any sampling of the surface),
    * PointMean (mean of the points that take part, coincident ones once; thesis) or Custom (Center).
    */
-  vtkSetClampMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
+  vtkSetRangeMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
   vtkGetMacro(CenterMode, int);
   void SetCenterModeToPointMean() { this->SetCenterMode(POINT_MEAN); }
   void SetCenterModeToAreaCentroid() { this->SetCenterMode(AREA_CENTROID); }

@@ -36,6 +36,7 @@
 
 #include "SphericalStyleFiltersModule.h" // for export macro
 #include "vtkLocalTermAlgorithm.h"
+#include "vtkSetRangeMacro.h" // for its macro
 
 class SPHERICALSTYLEFILTERS_EXPORT vtkNormalAnalogyFilter : public vtkLocalTermAlgorithm
 {
@@ -68,7 +69,7 @@ public:
    * places them, with normals that face outward (Cube, the default, along the axes), or Mesh, input
    * port 1.
    */
-  vtkSetClampMacro(Style, int, TETRAHEDRON, MESH);
+  vtkSetRangeMacro(Style, int, TETRAHEDRON, MESH);
   vtkGetMacro(Style, int);
   void SetStyleToTetrahedron() { this->SetStyle(TETRAHEDRON); }
   void SetStyleToCube() { this->SetStyle(CUBE); }

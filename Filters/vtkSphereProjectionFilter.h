@@ -34,6 +34,7 @@
 #define vtkSphereProjectionFilter_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
+#include "vtkSetRangeMacro.h"            // for its macro
 #include "vtkStyleAlgorithm.h"
 
 class SPHERICALSTYLEFILTERS_EXPORT vtkSphereProjectionFilter : public vtkStyleAlgorithm
@@ -62,7 +63,7 @@ public:
    * How far the points go: 0 leaves the model as it is, 1 puts every point on the sphere. No unit.
    * Range 0..1. Default 0.5.
    */
-  vtkSetClampMacro(Coefficient, double, 0.0, 1.0);
+  vtkSetRangeMacro(Coefficient, double, 0.0, 1.0);
   vtkGetMacro(Coefficient, double);
   ///@}
 
@@ -71,7 +72,7 @@ public:
    * Where the center O of the sphere lies: PointMean (default; mean of the points, coincident ones
    * once), AreaCentroid (the same for any sampling of the surface) or Custom (Center).
    */
-  vtkSetClampMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
+  vtkSetRangeMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
   vtkGetMacro(CenterMode, int);
   void SetCenterModeToPointMean() { this->SetCenterMode(POINT_MEAN); }
   void SetCenterModeToAreaCentroid() { this->SetCenterMode(AREA_CENTROID); }
@@ -93,7 +94,7 @@ public:
    * EqualArea (sqrt(A / 4 pi)), EqualVolume (cube root of 3 V / 4 pi, for closed surfaces) or
    * Custom (Radius).
    */
-  vtkSetClampMacro(RadiusMode, int, OUTER, CUSTOM_RADIUS);
+  vtkSetRangeMacro(RadiusMode, int, OUTER, CUSTOM_RADIUS);
   vtkGetMacro(RadiusMode, int);
   void SetRadiusModeToOuter() { this->SetRadiusMode(OUTER); }
   void SetRadiusModeToEqualArea() { this->SetRadiusMode(EQUAL_AREA); }

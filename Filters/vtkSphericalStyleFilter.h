@@ -113,7 +113,8 @@
 
 #include "SphericalStyleFiltersModule.h" // for export macro
 #include "vtkIterativeStyleAlgorithm.h"
-#include "vtkTimeStamp.h" // for vtkTimeStamp
+#include "vtkSetRangeMacro.h" // for its macro
+#include "vtkTimeStamp.h"     // for vtkTimeStamp
 
 #include <memory> // for std::shared_ptr
 #include <string> // for std::string
@@ -212,7 +213,7 @@ public:
    * NormalRadius). The blend a between the direction from the center and the normal of the base, no
    * unit. Range 0..1. Default 0.6.
    */
-  vtkSetClampMacro(NormalBlend, double, 0.0, 1.0);
+  vtkSetRangeMacro(NormalBlend, double, 0.0, 1.0);
   vtkGetMacro(NormalBlend, double);
   ///@}
 
@@ -222,7 +223,7 @@ public:
    * become shorter and keep their thickness) or WholeModel (thesis; every limb wants to be a ball
    * as large as the model).
    */
-  vtkSetClampMacro(NormalRadius, int, OWN_THICKNESS, WHOLE_MODEL_RADIUS);
+  vtkSetRangeMacro(NormalRadius, int, OWN_THICKNESS, WHOLE_MODEL_RADIUS);
   vtkGetMacro(NormalRadius, int);
   void SetNormalRadiusToOwnThickness() { this->SetNormalRadius(OWN_THICKNESS); }
   void SetNormalRadiusToWholeModel() { this->SetNormalRadius(WHOLE_MODEL_RADIUS); }
@@ -235,7 +236,7 @@ public:
    * the mean of the points, each with a third of the rest area of its triangles. With a region it
    * is the region that is measured and scaled, before its border fades.
    */
-  vtkSetClampMacro(KeepSize, int, NO_SIZE, EXTENT);
+  vtkSetRangeMacro(KeepSize, int, NO_SIZE, EXTENT);
   vtkGetMacro(KeepSize, int);
   void SetKeepSizeToOff() { this->SetKeepSize(NO_SIZE); }
   void SetKeepSizeToArea() { this->SetKeepSize(AREA); }
@@ -258,7 +259,7 @@ public:
   /**
    * The axis that points up, for KeepOnGround and KeepSize Extent: X, Y (default) or Z.
    */
-  vtkSetClampMacro(UpAxis, int, X_AXIS, Z_AXIS);
+  vtkSetRangeMacro(UpAxis, int, X_AXIS, Z_AXIS);
   vtkGetMacro(UpAxis, int);
   void SetUpAxisToX() { this->SetUpAxis(X_AXIS); }
   void SetUpAxisToY() { this->SetUpAxis(Y_AXIS); }
@@ -271,7 +272,7 @@ public:
    * of the surface), PointMean (mean of the points that take part, coincident ones once; thesis) or
    * Custom (Center).
    */
-  vtkSetClampMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
+  vtkSetRangeMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
   vtkGetMacro(CenterMode, int);
   void SetCenterModeToPointMean() { this->SetCenterMode(POINT_MEAN); }
   void SetCenterModeToAreaCentroid() { this->SetCenterMode(AREA_CENTROID); }
@@ -292,7 +293,7 @@ public:
    * Radius r of the target sphere: EqualArea (default, sqrt(A / 4 pi); thesis), EqualVolume
    * (cube root of 3 V / 4 pi, for closed surfaces) or Custom (Radius).
    */
-  vtkSetClampMacro(RadiusMode, int, EQUAL_AREA, CUSTOM_RADIUS);
+  vtkSetRangeMacro(RadiusMode, int, EQUAL_AREA, CUSTOM_RADIUS);
   vtkGetMacro(RadiusMode, int);
   void SetRadiusModeToEqualArea() { this->SetRadiusMode(EQUAL_AREA); }
   void SetRadiusModeToEqualVolume() { this->SetRadiusMode(EQUAL_VOLUME); }
@@ -316,7 +317,7 @@ public:
    * that the grid would have more than 60000 functions, the base is smoother than asked for, and a
    * warning says so. Range 0..0.2.
    */
-  vtkSetClampMacro(DetailSize, double, 0.0, 0.2);
+  vtkSetRangeMacro(DetailSize, double, 0.0, 0.2);
   vtkGetMacro(DetailSize, double);
   ///@}
 
@@ -325,7 +326,7 @@ public:
    * Whose points and area give center and radius where there is a region: Region (default; a head
    * becomes round in itself) or WholeModel. A Custom center or radius is taken as it is.
    */
-  vtkSetClampMacro(SphereOf, int, WHOLE_MODEL, REGION);
+  vtkSetRangeMacro(SphereOf, int, WHOLE_MODEL, REGION);
   vtkGetMacro(SphereOf, int);
   void SetSphereOfToWholeModel() { this->SetSphereOf(WHOLE_MODEL); }
   void SetSphereOfToRegion() { this->SetSphereOf(REGION); }
@@ -337,7 +338,7 @@ public:
    * solve, with everything outside held, displacements fade to 0 over it: neither slope nor
    * curvature jumps at the border. 0 leaves a crease. Range 0..1, default 0.1.
    */
-  vtkSetClampMacro(BorderWidth, double, 0.0, 1.0);
+  vtkSetRangeMacro(BorderWidth, double, 0.0, 1.0);
   vtkGetMacro(BorderWidth, double);
   ///@}
 
@@ -346,7 +347,7 @@ public:
    * Length over which several centers pass into each other along the surface, as a fraction of the
    * diagonal of the bounds. 0 changes from one edge to the next. Range 0..1, default 0.02.
    */
-  vtkSetClampMacro(CenterBlendWidth, double, 0.0, 1.0);
+  vtkSetRangeMacro(CenterBlendWidth, double, 0.0, 1.0);
   vtkGetMacro(CenterBlendWidth, double);
   ///@}
 
@@ -356,7 +357,7 @@ public:
    * depend on the triangulation and has a closed form; or Uniform (thesis), with which finely
    * meshed parts become rounder.
    */
-  vtkSetClampMacro(SphericalWeighting, int, UNIFORM, COTANGENT);
+  vtkSetRangeMacro(SphericalWeighting, int, UNIFORM, COTANGENT);
   vtkGetMacro(SphericalWeighting, int);
   void SetSphericalWeightingToUniform() { this->SetSphericalWeighting(UNIFORM); }
   void SetSphericalWeightingToCotangent() { this->SetSphericalWeighting(COTANGENT); }
@@ -388,7 +389,7 @@ public:
    * triangles pull evenly. On a mesh without them it gives the bits of HalfEdge. Borders and edges
    * of three triangles stay. Costs about a second per million triangles, once per set of points.
    */
-  vtkSetClampMacro(EdgeWeighting, int, HALF_EDGE, INTRINSIC_DELAUNAY);
+  vtkSetRangeMacro(EdgeWeighting, int, HALF_EDGE, INTRINSIC_DELAUNAY);
   vtkGetMacro(EdgeWeighting, int);
   void SetEdgeWeightingToHalfEdge() { this->SetEdgeWeighting(HALF_EDGE); }
   void SetEdgeWeightingToFullEdge() { this->SetEdgeWeighting(FULL_EDGE); }
@@ -402,7 +403,7 @@ public:
    * OriginalCell). Automatic (default) splits where a tenth of the area is of triangles with an
    * edge above a tenth of the diagonal of the bounds.
    */
-  vtkSetClampMacro(RefineLongEdges, int, NEVER, ALWAYS);
+  vtkSetRangeMacro(RefineLongEdges, int, NEVER, ALWAYS);
   vtkGetMacro(RefineLongEdges, int);
   void SetRefineLongEdgesToOff() { this->SetRefineLongEdges(NEVER); }
   void SetRefineLongEdgesToAutomatic() { this->SetRefineLongEdges(WHERE_COARSE); }
@@ -415,7 +416,7 @@ public:
    * is smoother and slower: half of it takes four times the triangles; more than 2000000 new ones
    * are an error. Range 0.001..1. Default 0.04.
    */
-  vtkSetClampMacro(MaximumEdgeLength, double, 0.001, 1.0);
+  vtkSetRangeMacro(MaximumEdgeLength, double, 0.001, 1.0);
   vtkGetMacro(MaximumEdgeLength, double);
   ///@}
 

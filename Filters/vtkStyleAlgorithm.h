@@ -13,6 +13,7 @@
 #define vtkStyleAlgorithm_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
+#include "vtkSetRangeMacro.h"            // for its macro
 #include "vtkWholeSurfaceAlgorithm.h"
 
 class SPHERICALSTYLEFILTERS_EXPORT vtkStyleAlgorithm : public vtkWholeSurfaceAlgorithm
@@ -26,7 +27,7 @@ public:
    * Number type of the output points: vtkAlgorithm::DEFAULT_PRECISION (default: as the input),
    * SINGLE_PRECISION or DOUBLE_PRECISION. Computed in double always.
    */
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkSetRangeMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
@@ -36,7 +37,7 @@ public:
    * VTK_SMP_MAX_THREADS, or else all cores that the process may run on, with MPI its share of those
    * of the machine. The result has the same bits for any number.
    */
-  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkSetRangeMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 

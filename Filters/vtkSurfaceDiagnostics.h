@@ -43,6 +43,7 @@
 #define vtkSurfaceDiagnostics_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
+#include "vtkSetRangeMacro.h"            // for its macro
 #include "vtkWholeSurfaceAlgorithm.h"
 
 class SPHERICALSTYLEFILTERS_EXPORT vtkSurfaceDiagnostics : public vtkWholeSurfaceAlgorithm
@@ -56,7 +57,7 @@ public:
   /**
    * A triangle with an angle below this counts as a sliver. Degrees. Default 1, range 0 to 60.
    */
-  vtkSetClampMacro(SliverAngle, double, 0.0, 60.0);
+  vtkSetRangeMacro(SliverAngle, double, 0.0, 60.0);
   vtkGetMacro(SliverAngle, double);
   ///@}
 

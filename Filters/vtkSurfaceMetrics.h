@@ -67,6 +67,7 @@
 #define vtkSurfaceMetrics_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
+#include "vtkSetRangeMacro.h"            // for its macro
 #include "vtkWholeSurfaceAlgorithm.h"
 
 class SPHERICALSTYLEFILTERS_EXPORT vtkSurfaceMetrics : public vtkWholeSurfaceAlgorithm
@@ -93,7 +94,7 @@ public:
    * Where the center lies that RadiusSpread and RadialCosine are measured from: PointMean (default;
    * mean of the points), AreaCentroid (of the surface) or Custom (Center).
    */
-  vtkSetClampMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
+  vtkSetRangeMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
   vtkGetMacro(CenterMode, int);
   void SetCenterModeToPointMean() { this->SetCenterMode(POINT_MEAN); }
   void SetCenterModeToAreaCentroid() { this->SetCenterMode(AREA_CENTROID); }

@@ -18,6 +18,7 @@
 #define vtkThesisStyleFilter_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
+#include "vtkSetRangeMacro.h"            // for its macro
 #include "vtkSphericalStyleFilter.h"
 
 class SPHERICALSTYLEFILTERS_EXPORT vtkThesisStyleFilter : public vtkSphericalStyleFilter
@@ -55,7 +56,7 @@ public:
    * NormalBlend > 0 or targets are given): Keep (default), Flip (Eq. 4.39: convex gets more convex,
    * concave more concave) or Zero (no target, the edge shrinks).
    */
-  vtkSetClampMacro(ConcaveEdges, int, KEEP, ZERO);
+  vtkSetRangeMacro(ConcaveEdges, int, KEEP, ZERO);
   vtkGetMacro(ConcaveEdges, int);
   void SetConcaveEdgesToKeep() { this->SetConcaveEdges(KEEP); }
   void SetConcaveEdgesToFlip() { this->SetConcaveEdges(FLIP); }
@@ -78,7 +79,7 @@ public:
    * (default; the mean of its points, each with a third of the rest area of its triangles) or
    * LastPoint (thesis: the last point of the component).
    */
-  vtkSetClampMacro(Anchor, int, CENTROID, LAST_POINT);
+  vtkSetRangeMacro(Anchor, int, CENTROID, LAST_POINT);
   vtkGetMacro(Anchor, int);
   void SetAnchorToCentroid() { this->SetAnchor(CENTROID); }
   void SetAnchorToLastPoint() { this->SetAnchor(LAST_POINT); }
@@ -92,7 +93,7 @@ public:
    * each part has an anchor of its own and goes its own way). Of the energy only: in closed form
    * what lies within a cell of the grid moves as one anyway.
    */
-  vtkSetClampMacro(ComponentCoupling, int, STITCHED, INDEPENDENT);
+  vtkSetRangeMacro(ComponentCoupling, int, STITCHED, INDEPENDENT);
   vtkGetMacro(ComponentCoupling, int);
   void SetComponentCouplingToStitched() { this->SetComponentCoupling(STITCHED); }
   void SetComponentCouplingToIndependent() { this->SetComponentCoupling(INDEPENDENT); }
@@ -103,7 +104,7 @@ public:
    * Where an iteration starts: Blend (default; every rotation the identity, one global step, not
    * counted) or Rest (thesis; the unmoved points).
    */
-  vtkSetClampMacro(InitialGuess, int, BLEND, REST);
+  vtkSetRangeMacro(InitialGuess, int, BLEND, REST);
   vtkGetMacro(InitialGuess, int);
   void SetInitialGuessToBlend() { this->SetInitialGuess(BLEND); }
   void SetInitialGuessToRest() { this->SetInitialGuess(REST); }

@@ -24,6 +24,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QStringList>
 #include <QVBoxLayout>
 
 namespace
@@ -113,7 +114,8 @@ pqProblem::pqProblem(vtkSMProxy* smproxy, vtkSMPropertyGroup*, QWidget* parentWi
   }
   if (auto* filter = vtkObject::SafeDownCast(smproxy->GetClientSideObject()))
   {
-    this->Observers.add(filter, vtkCommand::StartEvent, this, &pqProblem::forget);
+    this->Observers.add(filter, vtkCommand::StartEvent, this, &pqProblem::begin);
+    this->Observers.add(filter, vtkCommand::EndEvent, this, &pqProblem::end);
   }
   this->watchInput();
 }
@@ -142,7 +144,7 @@ void pqProblem::hear(vtkObject*, unsigned long event, void* text)
 {
   const QString name = this->proxy()->GetVTKClassName();
   const QRegularExpression form(
-    name + " \\((\\w+)\\): (.*)", QRegularExpression::DotMatchesEverythingOption);
+    name + R"( \((\w+)\): (.*))", QRegularExpression::DotMatchesEverythingOption);
   const QRegularExpressionMatch match = form.match(static_cast<const char*>(text));
   // That of a server is an address elsewhere; then it may be of another filter of the same class.
   const auto* object = this->proxy()->GetClientSideObject();
@@ -152,22 +154,28 @@ void pqProblem::hear(vtkObject*, unsigned long event, void* text)
   {
     return;
   }
-  this->Messages << match.captured(2).trimmed();
-  this->HasError = this->HasError || event == vtkCommand::ErrorEvent;
+  this->Messages.push_back({ match.captured(2).trimmed(), event == vtkCommand::ErrorEvent });
   this->updateLater();
 }
 
-/// Another execution begins. One on a server is only known of by Apply.
-void pqProblem::forget()
+void pqProblem::begin()
 {
-  this->Messages.clear();
-  this->HasError = false;
+  this->Messages.erase(
+    this->Messages.begin(), this->Messages.begin() + static_cast<std::ptrdiff_t>(this->Old));
+  this->Old = 0;
   this->updateLater();
 }
 
+void pqProblem::end()
+{
+  this->Old = this->Messages.size();
+}
+
+/// All that is known of the executions of a server.
 void pqProblem::apply()
 {
-  this->forget();
+  this->end();
+  this->begin();
   this->pqPropertyWidget::apply();
 }
 
@@ -180,9 +188,16 @@ void pqProblem::updateLater()
 void pqProblem::updateText()
 {
   const QString ofInput = this->problemOfInput();
-  const QString text = ofInput.isEmpty() ? this->Messages.join("\n\n") : ofInput;
+  QStringList texts;
+  bool serious = !ofInput.isEmpty();
+  for (const Message& message : this->Messages)
+  {
+    texts << message.Text;
+    serious = serious || message.IsError;
+  }
+  texts.removeDuplicates();
+  const QString text = ofInput.isEmpty() ? texts.join("\n\n") : ofInput;
   this->Label->setText(text);
-  const bool serious = this->HasError || !ofInput.isEmpty();
   this->Label->setStyleSheet(
     QString("background: %1; border-radius: 4px;")
       .arg(

@@ -18,7 +18,7 @@
 #include "pqObservers.h"
 #include "pqPropertyWidget.h"
 
-#include <QStringList>
+#include <vector>
 
 class QLabel;
 class QPushButton;
@@ -39,7 +39,8 @@ private:
 
   void watchInput();
   void hear(vtkObject* window, unsigned long event, void* text);
-  void forget();
+  void begin();
+  void end();
   void updateLater();
   void updateText();
   QString problemOfInput() const;
@@ -48,8 +49,13 @@ private:
   QLabel* Label;
   QPushButton* Button;
   Visibility* Shown;
-  QStringList Messages;  // of the last execution
-  bool HasError = false; // one of them
+  struct Message
+  {
+    QString Text;
+    bool IsError;
+  };
+  std::vector<Message> Messages; // of the last execution, and of values set since
+  std::size_t Old = 0;           // those of the last execution: the next one begins without them
   QMetaObject::Connection InputUpdated;
   pqObservers Observers;
 };

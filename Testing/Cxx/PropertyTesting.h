@@ -6,6 +6,28 @@
 #ifndef PropertyTesting_h
 #define PropertyTesting_h
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+
+#include <string>
+
+/// What the object warns of while `set` runs.
+template <typename Set>
+std::string WarningOf(vtkObject* object, const Set& set)
+{
+  std::string said;
+  vtkNew<vtkCallbackCommand> note;
+  note->SetClientData(&said);
+  note->SetCallback([](vtkObject*, unsigned long, void* into, void* text)
+    { *static_cast<std::string*>(into) += static_cast<const char*>(text); });
+  const unsigned long tag = object->AddObserver(vtkCommand::WarningEvent, note);
+  set();
+  object->RemoveObserver(tag);
+  return said;
+}
+
 // Sets a value that is not the default, then the default again.
 #define RoundTrip(Name, initial, other)                                                            \
   check(filter->Get##Name() == (initial), #Name " should start as " #initial);                     \
@@ -27,12 +49,17 @@
   filter->Set##Name##To##value();                                                                  \
   check(filter->Get##Name() == FilterType::Enumerator && FilterType::Enumerator == (number),       \
     "Set" #Name "To" #value " should be " #number)
+// Not in silence, but once, with the name; a value in the range is no reason for a word.
 #define Clamped(Name, value, result)                                                               \
   {                                                                                                \
     const auto old = filter->Get##Name();                                                          \
-    filter->Set##Name(value);                                                                      \
+    const std::string said = WarningOf(filter.Get(), [&] { filter->Set##Name(value); });           \
     check(filter->Get##Name() == (result), #Name " set to " #value " should be " #result);         \
-    filter->Set##Name(old);                                                                        \
+    check(said.find(#Name " must be from ") != std::string::npos &&                                \
+        said.find("must") == said.rfind("must"),                                                   \
+      #Name " set to " #value " should be a warning, and not '" + said + "'");                     \
+    check(                                                                                         \
+      WarningOf(filter.Get(), [&] { filter->Set##Name(old); }).empty(), #Name " in its range");    \
   }
 
 #endif

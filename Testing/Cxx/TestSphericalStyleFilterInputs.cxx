@@ -839,7 +839,8 @@ void Properties(Checker& check)
   Clamped(KeepSize, 4, 3);
   Clamped(KeepSize, -1, 0);
   Clamped(UpAxis, 3, 2);
-  Clamped(RefineLongEdges, true, 1);
+  filter->SetRefineLongEdges(true); // it was a bool once
+  check(filter->GetRefineLongEdges() == 1, "true should be Automatic");
   Clamped(RefineLongEdges, 3, 2);
   Clamped(NumberOfThreads, -1, 0);
 
