@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The classes of the filters are in SphericalStyleFilters.pyi, which the build writes.
 import os
-from typing import Any, Literal, Optional, Sequence, TypeVar, Union
+from typing import Any, Literal, NamedTuple, Optional, Sequence, TypeVar, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
@@ -60,3 +60,32 @@ def round(
 ) -> _Mesh: ...
 def read(path: Union[str, os.PathLike[str]]) -> vtkPolyData: ...
 def write(path: Union[str, os.PathLike[str]], mesh: Any) -> None: ...
+
+class _Slider(NamedTuple):
+    targets: int
+    error: float
+    jump: float
+    linear: bool
+
+# Further keywords are those of round.
+def write_slider(
+    path: Union[str, os.PathLike[str]],
+    mesh: Any,
+    *,
+    preset: Optional[str] = ...,
+    maximum_roundness: float = ...,
+    tolerance: float = ...,
+    maximum_targets: int = ...,
+    **properties: Any,
+) -> _Slider: ...
+def write_page(
+    path: Union[str, os.PathLike[str]],
+    mesh: Any,
+    *,
+    preset: Optional[str] = ...,
+    maximum_roundness: float = ...,
+    tolerance: float = ...,
+    maximum_targets: int = ...,
+    title: Optional[str] = ...,
+    **properties: Any,
+) -> None: ...

@@ -11,6 +11,7 @@ import pathlib
 import re
 import sys
 import time
+import warnings
 from typing import NamedTuple, Optional
 
 from vtkmodules.vtkCommonCore import vtkPoints, vtkVersion
@@ -18,9 +19,11 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from . import __version__, model_files, presets
 from .messages import Error, printable
-from .model_files import READERS, WRITERS, cannot_write, largest_move, place_in, read, whole, write
+from .model_files import READERS, WRITERS, cannot_write, is_gltf, largest_move, place_in, read, whole, write
+from .pages import PAGES, write_page
 from .properties import closest, properties
 from .rounding import ARRAYS, execute, make
+from .sliders import write_slider
 
 COLUMNS = ["model", "points", "new points", "largest move", "seconds", "result"]
 
@@ -45,6 +48,7 @@ exit codes:
 examples:
   sphericalstyle bunny.ply round.ply
   sphericalstyle bunny.obj round.glb --preset Chibi --roundness 1.2 --picture round.png --report round.json
+  sphericalstyle bunny.ply bunny.glb --slider --html bunny.html
   sphericalstyle models/*.stl --output rounded
   sphericalstyle models rounded --recursive --format ply --report rounded.csv"""
 
@@ -55,6 +59,8 @@ class Job(NamedTuple):
     folder: Optional[pathlib.Path]  #: that the result must not leave, if there is one
     target: pathlib.Path  #: in the folder, or any
     picture: Optional[pathlib.Path]
+    page: Optional[pathlib.Path] = None
+    slider: bool = False
 
 
 def add_properties(parser):
@@ -151,6 +157,12 @@ def make_parser():
                        help="write a PNG with the model beside the result; for several models a folder of PNGs")
     files.add_argument("--view", type=float, default=0.0, metavar="DEGREES",
                        help="turn the picture's camera around the up axis (default: %(default)g, from the front)")
+    files.add_argument("--slider", action="store_true",
+                       help="write the model itself with a slider that rounds it (morph targets); the result is .glb or"
+                            " .gltf. A model of these formats keeps textures, skins and animations")
+    files.add_argument("--html", type=pathlib.Path, metavar="FILE",
+                       help="write a web page with the model, a slider and the presets, which needs no network; for"
+                            " several models a folder of pages")
     files.add_argument("--report", type=pathlib.Path, metavar="FILE",
                        help="write properties, sizes, warnings and advice as .json, or the table as .csv")
     files.add_argument("--processes", type=int, metavar="N",
@@ -193,7 +205,11 @@ def _plan(parser, arguments):
             parser.error(cannot_write(output))
         if output.resolve() == inputs[0].resolve():
             parser.error("OUTPUT has to be another file than INPUT")
-        return [Job(str(inputs[0]), inputs[0], None, output, arguments.picture)]
+        if arguments.slider and not is_gltf(output):
+            parser.error(f"--slider: {printable(output)} has to end in .glb or .gltf")
+        if arguments.html and arguments.html.suffix.lower() not in PAGES:
+            parser.error("--html: the name ends in .html")
+        return [Job(str(inputs[0]), inputs[0], None, output, arguments.picture, arguments.html, arguments.slider)]
     return _plan_folder(parser, arguments, inputs, output)
 
 
@@ -202,12 +218,17 @@ def _plan_folder(parser, arguments, inputs, output):
         parser.error(f"{printable(output)}: several models need a folder for the results")
     if arguments.picture and arguments.picture.suffix:
         parser.error("--picture: several models need a folder for pictures")
+    if arguments.html and arguments.html.suffix:
+        parser.error("--html: several models need a folder for pages")
+    if arguments.slider and arguments.format not in (None, "glb", "gltf"):
+        parser.error("--slider: the format is glb or gltf")
     jobs, taken = [], {}
     for path in inputs:
         models = find_models(path, output, arguments.recursive) if path.is_dir() else [pathlib.Path(path.name)]
         for model in models:
             source = path / model if path.is_dir() else path
-            name = name_in_folder(model, arguments.format)
+            format_ = "glb" if arguments.slider and not is_gltf(model) else None
+            name = name_in_folder(model, arguments.format or format_)
             if name in taken:
                 parser.error(f"{printable(source)} and {printable(taken[name])} would both be written to"
                              f" {printable(output / name)}")
@@ -215,7 +236,9 @@ def _plan_folder(parser, arguments, inputs, output):
                 parser.error(f"{printable(source)}: the result would replace the model; name another folder")
             taken[name] = source
             picture = arguments.picture and arguments.picture / (str(model) + ".png")
-            jobs.append(Job(model.as_posix() if len(inputs) == 1 else str(source), source, output, name, picture))
+            page = arguments.html and arguments.html / (str(model) + ".html")
+            jobs.append(Job(model.as_posix() if len(inputs) == 1 else str(source), source, output, name, picture, page,
+                            arguments.slider))
     if not jobs:
         parser.error(f"{printable(inputs[0])}: no models ({' '.join(sorted(READERS))})")
     return jobs
@@ -229,7 +252,15 @@ def round_one(job, keywords, view=0.0, progress=None):
     target = place_in(job.folder, job.target) if job.folder else job.target
     style, messages = execute(surface, progress=progress, **keywords)
     result = style.GetOutput()
-    write(target, result)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # messages has them
+        if job.slider:
+            write_slider(target, job.source if is_gltf(job.source) else surface, **keywords)
+        else:
+            write(target, result)
+        if job.page:
+            job.page.parent.mkdir(parents=True, exist_ok=True)
+            write_page(job.page, surface, title=job.source.stem, **keywords)
     if job.picture:
         from .model_pictures import before_after  # the program starts without OpenGL
 

@@ -22,7 +22,8 @@ class Slider(NamedTuple):
     linear: bool  #: one target is all results
 
 
-def write_slider(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.001, **properties):
+def write_slider(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.001, maximum_targets=32,
+                 **properties):
     """Writes a model, not yet rounded, as .glb or .gltf with morph targets that round it: a slider in Blender, in a game
     engine or in a browser. Nothing is left of a file that existed.
 
@@ -32,7 +33,7 @@ def write_slider(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.
     preset and other keywords are those of sphericalstyle.round. The slider is at roundness when the file is opened. With
     detail_size=0 and keep_size="Off" there is one target, named Roundness, whose weight w is any roundness
     w / (1 - w) / sqrt(3). Otherwise there are some from 0 to maximum_roundness, so many that between them no point is
-    farther from the filter's result than tolerance, a share of the model's diagonal.
+    farther from the filter's result than tolerance, a share of the model's diagonal, but no more than maximum_targets.
 
     Returns a Slider(targets, error, jump, linear). Raises what sphericalstyle.round raises, and a sphericalstyle.Error that
     says why if the file cannot be written.
@@ -44,12 +45,13 @@ def write_slider(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.
     if not hasattr(SphericalStyleFilters, "vtkStyleGLTFWriter"):
         raise ModelError(f"{name}: this sphericalstyle was built without glTF (SPHERICALSTYLE_WITH_GLTF)")
     writer = SphericalStyleFilters.vtkStyleGLTFWriter()
-    for keyword, value in (("MaximumRoundness", maximum_roundness), ("Tolerance", tolerance)):
-        getattr(writer, "Set" + keyword)(value)
-        if getattr(writer, "Get" + keyword)() != value:
-            low, high = (getattr(writer, f"Get{keyword}{end}Value")() for end in ("Min", "Max"))
-            words = "maximum_roundness" if keyword == "MaximumRoundness" else "tolerance"
-            raise ValueError(f"{words} must be {low:g} to {high:g}; it is {value}")
+    for keyword, name_, value in (("maximum_roundness", "MaximumRoundness", maximum_roundness),
+                                  ("tolerance", "Tolerance", tolerance),
+                                  ("maximum_targets", "MaximumNumberOfTargets", maximum_targets)):
+        low, high = (getattr(writer, f"Get{name_}{end}Value")() for end in ("Min", "Max"))
+        if not low <= value <= high:
+            raise ValueError(f"{keyword} must be {low:g} to {high:g}; it is {value}")
+        getattr(writer, "Set" + name_)(value)
     properties = {keyword: value for keyword, value in properties.items() if value is not None}
     style = make(preset, **properties)
     writer.SetStyle(style)
