@@ -24,7 +24,9 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -200,6 +202,27 @@ std::unique_ptr<Inputs> Needed(vtkAlgorithm* self, vtkInformationVector** origin
   {
     vtkErrorWithObjectMacro(self, << "leaving out empty arrays: " << error.what());
     return nullptr;
+  }
+}
+
+/// A surface that is large for one process is told when it is gathered. To be called by all.
+void TellSize(vtkAlgorithm* self, vtkMultiProcessController* controller, vtkPolyData* piece)
+{
+  constexpr double ManyPoints = 1e6; // below that any machine has the memory
+  constexpr double KilobytesOfMegabyte = 1024.0;
+  const double own[] = { static_cast<double>(piece->GetNumberOfPoints()),
+    static_cast<double>(piece->GetNumberOfCells()),
+    static_cast<double>(piece->GetActualMemorySize()) };
+  double all[] = { 0.0, 0.0, 0.0 };
+  controller->Reduce(own, all, 3, vtkCommunicator::SUM_OP, 0);
+  if (controller->GetLocalProcessId() == 0 && all[0] >= ManyPoints)
+  {
+    std::ostringstream text;
+    text << "the surface is gathered on the first process, since this needs all of it: "
+         << std::llround(all[0]) << " points and " << std::llround(all[1]) << " cells, "
+         << std::llround(all[2] / KilobytesOfMegabyte)
+         << " MB, and several times as much to work with";
+    Warn(self, text.str());
   }
 }
 
@@ -386,6 +409,7 @@ int vtkWholeSurfaceAlgorithm::RequestData(
     return done == PART_DONE;
   }
   this->SetProgressText("Gathering");
+  TellSize(this, this->Controller, pieces[0]);
   std::vector<vtkDistributedSurface> surfaces(
     pieces.size(), vtkDistributedSurface(this->Controller));
   for (std::size_t p = 0; p < surfaces.size(); ++p)

@@ -36,6 +36,12 @@ from sphericalstyle.model_files import READERS, place_in
 JOURNAL = ".round_folder"
 
 
+def say(text):
+    """In one piece: processes write to the same place, and pvbatch would write the end of the line by itself."""
+    sys.stdout.write(text + "\n")
+    sys.stdout.flush()
+
+
 def parse(default_processes):
     parser = argparse.ArgumentParser(description="Round all models of a folder.")
     parser.add_argument("models", type=pathlib.Path)
@@ -87,7 +93,7 @@ def make_plan(arguments, properties):
     arguments.output.mkdir(parents=True, exist_ok=True)
     plan = Plan(place_in(arguments.output, JOURNAL), {"sphericalstyle": __version__} | properties)
     if plan.other_settings:
-        print("All models are rounded again: the properties, or the version, are others than before.", flush=True)
+        say("All models are rounded again: the properties, or the version, are others than before.")
     names = {model.as_posix(): stamp_of(arguments.models / model) for model in found}
     kept = {}
     for name, stamp in names.items():
@@ -95,9 +101,9 @@ def make_plan(arguments, properties):
         if line:
             kept[name] = line
     if kept:
-        print(f"{len(kept)} of {len(names)} models are done already.", flush=True)
+        say(f"{len(kept)} of {len(names)} models are done already.")
     for name, process in plan.interrupted():
-        print(f"{printable(name)}: process {process} was rounding it when it was interrupted.", flush=True)
+        say(f"{printable(name)}: process {process} was rounding it when it was interrupted.")
     left = sorted((name for name in names if name not in kept), key=lambda name: names[name], reverse=True)
     return {"run": plan.begin(left), "models": left, "kept": list(kept.values())}
 
@@ -131,8 +137,7 @@ class Folder:
         line = {key: value.replace(part, printable(place)) if isinstance(value, str) else value
                 for key, value in line.items()}
         line = self.work.finish(number, stamp, target, line)
-        print(f"{self.name}[{number + 1}/{len(self.work.models)}] {printable(running.job.name)}: {line['result']}",
-              flush=True)
+        say(f"{self.name}[{number + 1}/{len(self.work.models)}] {printable(running.job.name)}: {line['result']}")
 
     def look(self):
         """Says which processes are lost, and what they were working on."""
@@ -142,8 +147,8 @@ class Folder:
         for other in lost:
             models = [self.work.models[number] for number, _, owner in self.work.unfinished() if owner == other]
             doing = " and ".join(map(printable, models)) or "no model"
-            print(f"{self.name}process {other} has shown no sign of life for {self.work.limit:g} s. It was working on"
-                  f" {doing}.", flush=True)
+            say(f"{self.name}process {other} has shown no sign of life for {self.work.limit:g} s. It was working on"
+                f" {doing}.")
 
     def round(self):
         """Until all models are done. Returns their lines."""

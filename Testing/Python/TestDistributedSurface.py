@@ -160,19 +160,23 @@ class Run:
     """A filter's outputs and errors; alone: in this process, as if there were no other."""
 
     def __init__(self, Filter, data, alone=False, prepare=None, **properties):
-        self.errors, self.warnings = [], []
+        self.errors, self.warnings, self.told = [], [], []
 
         def note(_caller, _event, text):
             self.errors.append(text)
 
-        note.CallDataType = VTK_STRING
+        def tell(_caller, _event, text):
+            self.warnings.append(1)
+            self.told.append(text)
+
+        note.CallDataType = tell.CallDataType = VTK_STRING
         self.filter = Filter()
         if alone:
             self.filter.SetController(None)
         for name, value in properties.items():
             getattr(self.filter, "Set" + name)(value)
         self.filter.AddObserver("ErrorEvent", note)
-        self.filter.AddObserver("WarningEvent", lambda *_: self.warnings.append(1))
+        self.filter.AddObserver("WarningEvent", tell)
         self.filter.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
         self.filter.SetInputDataObject(0, data)
         if prepare:
@@ -391,6 +395,20 @@ def check_gathered():
     for options in (ITERATES, {"RefineLongEdges": Style.ALWAYS}, {"ReproduceThesis": True}):
         run = Run(Style, Piece(small, owner).data, **options)
         assert not run.errors and bytes_exchanged(run) is None, options
+        assert not any("gathered" in text for text in run.told), run.told
+
+    # A large one is told: a million loose points are as large as others, and nothing has to be solved for them.
+    large = vtkPolyData()
+    large.SetPoints(vtkPoints())
+    many = 1 + 10**6 // RANKS
+    places = np.random.default_rng(RANK).random((many, 3))
+    large.GetPoints().SetData(numpy_to_vtk(places, deep=True))
+    cells = vtkCellArray()
+    cells.SetData(3, numpy_to_vtkIdTypeArray(np.arange(3, dtype=np.int64), deep=True))
+    large.SetPolys(cells)
+    run = Run(Style, large, ReproduceThesis=True)
+    words = f"gathered on the first process, since this needs all of it: {RANKS * many} points and {RANKS} cells, "
+    assert not run.errors and [words in text for text in run.told if "gathered" in text] == [True] * (RANK == 0), run.told
 
 
 def check_seams():
