@@ -241,9 +241,9 @@ int vtkSphericalStyleFilter::Execute(vtkInformationVector** inputVector,
   vtkSurfaceMeshConversion::ReplacePoints(
     output, e.Surface(), e.Q, this->OutputPointsPrecision, this->GenerateNormals);
   this->AttachArrays(*internal, e, output);
+  internal->Solver.ForgetResult(); // the review needs memory, and none of it
   this->SetFacts(e);
   this->Review(*internal, e);
-  internal->Solver.ForgetResult();
   const std::vector<double> bytes = processes ? processes->GetBytesOfAll() : std::vector<double>();
   if (!e.IsFirst())
   {
@@ -390,8 +390,9 @@ void vtkSphericalStyleFilter::AttachArrays(
   const bool solved = e.HasTriangles();
   if (this->GenerateTargetDirection)
   {
-    AddPointArray(output, surface, "TargetDirection", type,
-      solved ? internal.Solver.GetDirections() : Points(0, 3));
+    const Points none(0, 3);
+    AddPointArray(
+      output, surface, "TargetDirection", type, solved ? internal.Solver.GetDirections() : none);
   }
   if (this->GenerateDisplacement)
   {

@@ -145,7 +145,7 @@ struct vtkSurfaceMetrics::Measurement
   }
   double& AtCell(Eigen::VectorXd& values, std::size_t triangle) const
   {
-    return values(this->Surface.Cells[triangle]);
+    return values(this->Surface.GetCell(static_cast<Eigen::Index>(triangle)));
   }
 
   void MeasureEdges(const MeshEdges& edges, const SphericalStyle::EdgeCounts& counts,
@@ -265,7 +265,7 @@ Pairs vtkSurfaceMetrics::Measurement::MeasureSelfIntersections() const
   for (const auto& [f, g] : pairs)
   {
     this->AtCell(count, f) += 1.0;
-    if (this->Surface.Cells[f] != this->Surface.Cells[g])
+    if (this->Surface.GetCell(f) != this->Surface.GetCell(g))
     {
       this->AtCell(count, g) += 1.0;
     }

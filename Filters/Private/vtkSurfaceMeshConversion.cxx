@@ -320,15 +320,19 @@ bool HasTriangles(vtkPolyData* input, const vtkSurfaceMesh& surface)
 {
   vtkCellArray* polys = input->GetPolys();
   const vtkIdType first = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  const vtkIdType size = surface.Corners.rows();
+  const SphericalStyle::Triangles& corners = surface.GetCorners();
+  const vtkIdType size = corners.rows();
   if (input->GetNumberOfStrips() > 0 || polys->GetNumberOfCells() != size || size == 0 ||
-    polys->IsHomogeneous() != 3 || surface.Cells.front() != first)
+    polys->IsHomogeneous() != 3 || surface.GetCell(0) != first)
   {
     return false;
   }
   return HoldsForPointIds(polys,
-    [&surface](const auto& ids)
-    { return std::equal(ids.begin(), ids.end(), surface.Corners.data()); });
+    [&corners](const auto& ids)
+    {
+      return std::equal(ids.begin(), ids.end(), corners.data(),
+        [](auto id, int corner) { return static_cast<vtkIdType>(id) == corner; });
+    });
 }
 
 /// Whether the points stand where those of the mesh do, and the others where they did.
@@ -621,7 +625,7 @@ void ReplacePointNormals(
   std::vector<int> place;
   const std::vector<int> group = NormalGroups(surface, before, place);
   const SphericalStyle::Triangles F =
-    surface.Corners.unaryExpr([&group](vtkIdType i) { return group[i]; });
+    surface.GetCorners().unaryExpr([&group](int i) { return group[i]; });
   Points n = SphericalStyle::PointNormalSums(Q(place, SphericalStyle::AllColumns), F);
   std::vector<char> moved = MovedGroups(F, surface, Q, place.size());
   SumGroups(surface, before, group, place, n, moved);
@@ -738,7 +742,26 @@ bool IsMarked(vtkUnsignedCharArray* marks, vtkIdType i, unsigned char mark)
   return marks && (marks->GetValue(i) & mark) != 0;
 }
 
-using Corners = std::array<vtkIdType, 3>; // input points
+using Corners = std::array<int, 3>; // input points; CheckSize knows that they fit
+
+/// @param count  triangles before this one
+void AddCell(vtkSurfaceMesh& surface, std::size_t count, vtkIdType cell)
+{
+  if (count == 0)
+  {
+    surface.FirstCell = cell;
+  }
+  if (surface.Cells.empty() && cell == surface.FirstCell + static_cast<vtkIdType>(count))
+  {
+    return;
+  }
+  if (surface.Cells.empty())
+  {
+    surface.Cells.resize(count);
+    std::iota(surface.Cells.begin(), surface.Cells.end(), surface.FirstCell);
+  }
+  surface.Cells.push_back(cell);
+}
 
 /// The triangles that have an area, and what is to be said of the others and of polygons.
 /// @param first  for each point, the first of those at its place
@@ -748,7 +771,6 @@ std::vector<Corners> TakeTriangles(vtkPolyData* input, const Points& x,
 {
   std::vector<Corners> triangles;
   triangles.reserve(input->GetNumberOfPolys());
-  surface.Cells.reserve(input->GetNumberOfPolys());
   FaceTriangles faces(input);
   const auto isDegenerate = [&](vtkIdType a, vtkIdType b, vtkIdType c)
   {
@@ -763,8 +785,8 @@ std::vector<Corners> TakeTriangles(vtkPolyData* input, const Points& x,
       }
       if (!isDegenerate(first[a], first[b], first[c]))
       {
-        triangles.push_back({ a, b, c });
-        surface.Cells.push_back(cell);
+        AddCell(surface, triangles.size(), cell);
+        triangles.push_back({ static_cast<int>(a), static_cast<int>(b), static_cast<int>(c) });
       }
       else if (surface.DegenerateTriangles++ == 0)
       {
@@ -786,7 +808,7 @@ int NumberPlaces(const std::vector<Corners>& triangles, const std::vector<vtkIdT
   number.assign(first.size(), vtkSurfaceMesh::NotMoved);
   for (const Corners& t : triangles)
   {
-    for (const vtkIdType i : t)
+    for (const int i : t)
     {
       number[first[i]] = 0;
     }
@@ -951,47 +973,57 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take,
   CheckAllNormals(input);
   CheckCells(input);
   Points x = CheckedPoints(input);
+  CheckSize(
+    static_cast<std::size_t>(input->GetNumberOfPolys()), static_cast<std::size_t>(x.rows()));
   SphericalStyle::SurfacePart everybody;
   everybody.processes = processes;
   const SphericalStyle::SharedPlaces shared = SharedInputPoints(input, x, processes.get());
-  const std::vector<vtkIdType> first = Representatives(x, weld);
+  std::vector<vtkIdType> first = Representatives(x, weld);
 
   vtkSurfaceMesh surface;
   surface.Welded = weld;
-  const std::vector<Corners> triangles =
+  std::vector<Corners> triangles =
     TakeTriangles(input, x, first, processes ? GhostMarks(input->GetCellData()) : nullptr, surface);
   CheckSize(triangles.size(), first.size());
   std::vector<int> number;
   const int count = NumberPlaces(triangles, first, take, everybody, shared, number);
-  surface.Mesh.P.resize(count, 3);
-  surface.Mesh.F.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  surface.Corners.resize(static_cast<Eigen::Index>(triangles.size()), 3);
   surface.MeshPoint.resize(first.size());
   for (std::size_t i = 0; i < first.size(); ++i)
   {
-    const auto place = x.row(static_cast<Eigen::Index>(i));
     surface.MeshPoint[i] = number[first[i]];
-    if (number[i] >= 0)
-    {
-      surface.Mesh.P.row(number[i]) = place;
-    }
     if (surface.MeshPoint[i] == vtkSurfaceMesh::NotMoved)
     {
+      const auto place = x.row(static_cast<Eigen::Index>(i));
       surface.NotMovedPoints.insert(surface.NotMovedPoints.end(), place.begin(), place.end());
     }
   }
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  std::vector<vtkIdType>().swap(first);
+  const auto size = static_cast<Eigen::Index>(triangles.size());
+  surface.Mesh.F.resize(size, 3);
+  std::copy_n(
+    triangles.empty() ? nullptr : triangles.front().data(), 3 * size, surface.Mesh.F.data());
+  std::vector<Corners>().swap(triangles);
+  if (static_cast<Eigen::Index>(count) == x.rows()) // the mesh points are the input points
   {
-    for (int k = 0; k < 3; ++k)
+    surface.Mesh.P.swap(x);
+  }
+  else
+  {
+    surface.Corners = surface.Mesh.F;
+    surface.Mesh.F = surface.Corners.unaryExpr([&](int i) { return surface.MeshPoint[i]; });
+    surface.Mesh.P.resize(count, 3);
+    for (std::size_t i = 0; i < number.size(); ++i)
     {
-      surface.Corners(static_cast<Eigen::Index>(t), k) = triangles[t][k];
-      surface.Mesh.F(static_cast<Eigen::Index>(t), k) = number[first[triangles[t][k]]];
+      if (number[i] >= 0)
+      {
+        surface.Mesh.P.row(number[i]) = x.row(static_cast<Eigen::Index>(i));
+      }
     }
   }
   if (processes)
   {
     TakePart(everybody, shared, surface);
-    CheckGlobalIds(input, x, surface);
+    CheckGlobalIds(input, x.rows() > 0 ? x : surface.Mesh.P, surface);
   }
   return surface;
 }
@@ -1251,8 +1283,8 @@ Points GatherPointArray(
   return sum.array().colwise() / count.array();
 }
 
-void AddPointArray(
-  vtkPolyData* output, const vtkSurfaceMesh& surface, const char* name, int type, const Rows& rows)
+void AddPointArray(vtkPolyData* output, const vtkSurfaceMesh& surface, const char* name, int type,
+  const Eigen::Ref<const Rows>& rows)
 {
   output->GetPointData()->AddArray(
     NewPointArray(name, type, output->GetNumberOfPoints(), static_cast<int>(rows.cols()),
@@ -1276,10 +1308,20 @@ void AddRotations(
 
 void AddDisplacement(vtkPolyData* output, vtkPolyData* input)
 {
-  const Points before = AllPoints(input);
-  const Points after = AllPoints(output);
-  output->GetPointData()->AddArray(NewPointArray("Displacement", output->GetPoints()->GetDataType(),
-    after.rows(), 3, [&](vtkIdType i, int k) { return after(i, k) - before(i, k); }));
+  vtkSmartPointer<vtkDataArray> displacement;
+  WithTuples(input->GetPoints()->GetData(),
+    [&](const auto& before)
+    {
+      WithTuples(output->GetPoints()->GetData(),
+        [&](const auto& after)
+        {
+          displacement = NewPointArray("Displacement", output->GetPoints()->GetDataType(),
+            output->GetNumberOfPoints(), 3,
+            [&](vtkIdType i, int k)
+            { return static_cast<double>(after[i][k]) - static_cast<double>(before[i][k]); });
+        });
+    });
+  output->GetPointData()->AddArray(displacement);
 }
 
 int OutputPointType(vtkPolyData* input, int precision)
@@ -1294,17 +1336,22 @@ int OutputPointType(vtkPolyData* input, int precision)
 void ReplacePoints(vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q,
   int precision, bool generateNormals)
 {
-  const Points before = AllPoints(output);
   std::vector<char> moved(surface.MeshPoint.size());
   for (std::size_t i = 0; i < moved.size(); ++i)
   {
     const int from = surface.MeshPoint[i];
     moved[i] = from >= 0 && Q.row(from) != surface.Mesh.P.row(from) ? 1 : 0;
   }
-  auto positions = NewArray(
-    OutputPointType(output, precision), before.rows(), 3,
-    [&](vtkIdType i, int k) { return moved[i] ? Q(surface.MeshPoint[i], k) : before(i, k); },
-    [](vtkIdType i) { return "point " + std::to_string(i) + " of the result"; });
+  vtkSmartPointer<vtkDataArray> positions;
+  WithTuples(output->GetPoints()->GetData(),
+    [&](const auto& before)
+    {
+      positions = NewArray(
+        OutputPointType(output, precision), output->GetNumberOfPoints(), 3,
+        [&](vtkIdType i, int k)
+        { return moved[i] ? Q(surface.MeshPoint[i], k) : static_cast<double>(before[i][k]); },
+        [](vtkIdType i) { return "point " + std::to_string(i) + " of the result"; });
+    });
   positions->SetName("Points"); // as vtkPoints calls its own
   vtkNew<vtkPoints> points;
   points->SetData(positions);

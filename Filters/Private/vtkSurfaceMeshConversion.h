@@ -26,9 +26,22 @@ struct vtkSurfaceMesh
   /// Triangles of polygons and strips; only points that a triangle uses, or all (TakePoints).
   SphericalStyle::TriangleMesh Mesh;
   /// The same triangles by input points, m x 3.
-  Eigen::Matrix<vtkIdType, Eigen::Dynamic, 3, Eigen::RowMajor> Corners;
-  /// Input cell of each triangle, ascending.
+  const SphericalStyle::Triangles& GetCorners() const
+  {
+    return this->Corners.rows() > 0 ? this->Corners : this->Mesh.F;
+  }
+  /// Input cell of a triangle; ascends with the triangle.
+  vtkIdType GetCell(Eigen::Index triangle) const
+  {
+    return this->Cells.empty() ? this->FirstCell + static_cast<vtkIdType>(triangle)
+                               : this->Cells[triangle];
+  }
+  /// Both take as much memory as the mesh, so there are none where they say nothing: where the mesh
+  /// points are the input points, and where the cells are triangles and none is left out. @{
+  SphericalStyle::Triangles Corners;
   std::vector<vtkIdType> Cells;
+  /// @}
+  vtkIdType FirstCell = 0; ///< of the first triangle
   /// Mesh point of each input point; NotMoved for points that are not taken.
   std::vector<int> MeshPoint;
   static constexpr int NotMoved = -1;
@@ -179,8 +192,8 @@ SphericalStyle::Points GatherNormals(
 /// @throw std::range_error naming array and point of the first value that is not finite
 /// @param type  VTK_FLOAT or VTK_DOUBLE
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-void AddPointArray(
-  vtkPolyData* output, const vtkSurfaceMesh& surface, const char* name, int type, const Rows& rows);
+void AddPointArray(vtkPolyData* output, const vtkSurfaceMesh& surface, const char* name, int type,
+  const Eigen::Ref<const Rows>& rows);
 
 /// The array Rotation, 9 components, row by row, in the number type of the output's points.
 void AddRotations(

@@ -112,7 +112,7 @@ vtkSurfacePair vtkMakeSurfacePair(
   {
     const auto kept = static_cast<Eigen::Index>(pair.Triangle.size());
     auto corners = pair.Rest.F.row(kept);
-    corners = surface.Corners.row(f).unaryExpr([&](vtkIdType i) { return pair.Point[i]; });
+    corners = surface.GetCorners().row(f).unaryExpr([&](int i) { return pair.Point[i]; });
     if (!SphericalStyle::IsDegenerate(
           pair.Rest.P.row(corners(0)), pair.Rest.P.row(corners(1)), pair.Rest.P.row(corners(2))))
     {

@@ -103,6 +103,7 @@ Eigen::VectorXd LimbThickness(const Points& P, const Points& B, const Triangles&
   const int samples = grid.GetNumberOfSamples();
   const Fields places = grid.Means(B, threads);
   Points normals = grid.AreaVectorsUnder(grid.Gradients(B, threads), threads);
+  grid.ForgetPoints(); // the tree needs memory
   for (int k = 0; k < samples; ++k)
   {
     normals.row(k) = normals.row(k).stableNormalized().eval();

@@ -569,11 +569,18 @@ void SurfaceGrid::Splatter::Sum(const std::vector<int>& cells)
       }
       std::vector<Part>().swap(tasks[task].sorted);
     });
+  std::vector<Part>().swap(sorted);
+  this->Tasks.clear();
 
   std::vector<SampleSums> sums;
   std::vector<int> counts; // of entries, of each of these
-  grid.EntryPoints.clear();
-  grid.Entries.clear();
+  // Exactly as much as there will be: growing would take twice that for a while.
+  const std::size_t entries = std::accumulate(tasks.begin(), tasks.end(), std::size_t(0),
+    [](std::size_t sum, const Samples& task) { return sum + task.points.size(); });
+  grid.EntryPoints = {};
+  grid.EntryPoints.reserve(entries);
+  grid.Entries = {};
+  grid.Entries.reserve(4 * entries);
   for (Samples& task : tasks)
   {
     sums.insert(sums.end(), task.sums.begin(), task.sums.end());
@@ -1113,6 +1120,13 @@ Fields SurfaceGrid::Gradients(const Points& X, int threads) const
   this->Everybody.Sum(gradients);
   gradients.array().colwise() /= this->Weights.array();
   return gradients;
+}
+
+void SurfaceGrid::ForgetPoints()
+{
+  this->FirstEntry = {};
+  this->EntryPoints = {};
+  this->Entries = {};
 }
 
 Fields SurfaceGrid::Smooth(const Fields& X, int threads) const

@@ -107,6 +107,8 @@ public:
   /// What becomes of the area vectors N_k where these are the gradients: |N_k| (G u) x (G v), u and
   /// v at right angles to N_k and to each other. @param gradients  samples x 9 @return samples x 3
   Points AreaVectorsUnder(const Fields& gradients, int threads) const;
+  /// Lets go of what Means and Gradients need; they must not be called any more.
+  void ForgetPoints();
   /// Coefficients of the field nearest to X. @param X  samples x c @return functions x c
   Fields Smooth(const Fields& X, int threads) const;
   /// The same of what one step has made of X: two implicit steps.

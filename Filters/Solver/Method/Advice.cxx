@@ -211,15 +211,16 @@ double LongEdgeShare(const TriangleMesh& mesh, const SurfacePart& part)
 {
   const auto [low, high] = BoundsOf(mesh.P, part);
   const double unit = UnitScale(low.cwiseAbs().cwiseMax(high.cwiseAbs()));
-  const Points P = unit * mesh.P;
+  const auto place = [&](Eigen::Index f, int k) -> Eigen::Vector3d
+  { return unit * mesh.P.row(mesh.F(f, k)).transpose(); };
   const double long2 = LongEdge * LongEdge * (unit * high - unit * low).squaredNorm();
   double all = 0.0;
   double coarse = 0.0;
   for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
   {
-    const Eigen::Vector3d a = P.row(mesh.F(f, 0));
-    const Eigen::Vector3d ab = P.row(mesh.F(f, 1)).transpose() - a;
-    const Eigen::Vector3d ac = P.row(mesh.F(f, 2)).transpose() - a;
+    const Eigen::Vector3d a = place(f, 0);
+    const Eigen::Vector3d ab = place(f, 1) - a;
+    const Eigen::Vector3d ac = place(f, 2) - a;
     const double area = ab.cross(ac).norm();
     all += area;
     coarse += std::max({ ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm() }) >= long2
