@@ -12,6 +12,7 @@
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -145,6 +146,13 @@ void vtkStyleGLTFWriter::Execute(vtkPolyData* input)
   else if (!input || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
     throw std::runtime_error("the model has no faces");
+  }
+  else if (input->GetPointData()->HasArray("Displacement") &&
+    input->GetPointData()->HasArray("TargetDirection"))
+  {
+    vtkWarningMacro(
+      "the model has arrays of a result, so it seems to be rounded already; the slider "
+      "belongs to the model that the result was made from");
   }
   const vtkRoundnessTargets::Targets targets =
     vtkRoundnessTargets::Make(input, this->Style, options);
