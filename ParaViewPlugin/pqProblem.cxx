@@ -101,6 +101,10 @@ pqProblem::pqProblem(vtkSMProxy* smproxy, vtkSMPropertyGroup*, QWidget* parentWi
   this->Label->setWordWrap(true);
   this->Label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   this->Label->setMargin(4);
+  // The colors of tool tips are those that a desktop has for short notes.
+  this->Label->setAutoFillBackground(true);
+  this->Label->setBackgroundRole(QPalette::ToolTipBase);
+  this->Label->setForegroundRole(QPalette::ToolTipText);
   this->Button->setObjectName("ExtractSurface");
   this->Button->setToolTip(tr("Puts the filter Extract Surface in front of this one."));
   // Not at once: the click makes another panel the active one.
@@ -192,16 +196,14 @@ void pqProblem::updateText()
   bool serious = !ofInput.isEmpty();
   for (const Message& message : this->Messages)
   {
-    texts << message.Text;
+    texts << message.Text.left(1).toUpper() + message.Text.mid(1);
     serious = serious || message.IsError;
   }
   texts.removeDuplicates();
   const QString text = ofInput.isEmpty() ? texts.join("\n\n") : ofInput;
   this->Label->setText(text);
   this->Label->setStyleSheet(
-    QString("background: %1; border-radius: 4px;")
-      .arg(
-        serious ? "#b35900; color: white" : "palette(tooltip-base); color: palette(tooltip-text)"));
+    serious ? "background: #b35900; color: white; border-radius: 4px;" : "");
   this->Button->setVisible(IsNoSurface(KnownData(this->proxy())));
   this->Shown->setVisible(!text.isEmpty());
 }
