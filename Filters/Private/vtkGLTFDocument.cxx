@@ -211,7 +211,7 @@ std::size_t ComponentsOf(const std::string& type)
       return components;
     }
   }
-  return 0;
+  return 1;
 }
 
 bool IsOn(const Json& object, const char* key)
@@ -624,7 +624,8 @@ std::size_t vtkGLTFDocument::BufferToFill()
   return this->Filled;
 }
 
-std::size_t vtkGLTFDocument::AddAccessor(const void* data, std::size_t size, Json accessor, Use use)
+std::size_t vtkGLTFDocument::AddAccessor(
+  const void* data, std::size_t size, const Json& accessor, Use use)
 {
   const std::size_t buffer = this->BufferToFill();
   Bytes& bytes = this->Buffers[buffer];
@@ -671,7 +672,7 @@ std::size_t vtkGLTFDocument::AddFloats(
     accessor["min"] = std::move(smallest);
     accessor["max"] = std::move(largest);
   }
-  return this->AddAccessor(values.data(), values.size() * sizeof(float), std::move(accessor), use);
+  return this->AddAccessor(values.data(), values.size() * sizeof(float), accessor, use);
 }
 
 std::size_t vtkGLTFDocument::AddIndices(const std::vector<std::uint32_t>& values)

@@ -83,7 +83,7 @@ private:
   Range View(std::size_t view, const std::string& owner) const;
   void Replace(const Json& sparse, std::size_t components, std::vector<double>& values,
     std::size_t componentType, bool normalized, const std::string& owner) const;
-  std::size_t AddAccessor(const void* data, std::size_t size, Json accessor, Use use);
+  std::size_t AddAccessor(const void* data, std::size_t size, const Json& accessor, Use use);
   std::size_t BufferToFill();
   void MergeBuffers();
   void CheckFolder(const std::string& path) const;
