@@ -218,7 +218,8 @@ QString pqProblem::problemOfInput() const
   }
   if (IsNoSurface(data))
   {
-    return tr("The input is not a surface but of the type %1. Take its surface first.")
+    return tr("The input is not a surface but of the type %1. Take its outer surface first, or a "
+              "surface inside of it with Contour.")
       .arg(data->GetPrettyDataTypeString());
   }
   if (data->GetNumberOfPoints() == 0)

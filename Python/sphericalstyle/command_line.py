@@ -67,7 +67,7 @@ def add_properties(parser):
     """Gives the parser an option for each property and array of the filter."""
     shape = parser.add_argument_group("shape")
     names = "; ".join(f"{name}: {preset.description.lower()}" for name, preset in presets.PRESETS.items())
-    shape.add_argument("--preset", choices=presets.PRESETS, metavar="NAME",
+    shape.add_argument("--preset", type=str.capitalize, choices=presets.PRESETS, metavar="NAME",
                        help=f"set the properties below as in a preset; those that are also given replace its values."
                             f" {names}")
     more = parser.add_argument_group("more properties of the filter")

@@ -45,6 +45,9 @@ WRITERS = {
 }
 
 
+VOLUMES = (".vti", ".vtr", ".vts", ".vtu", ".vtm", ".pvtu", ".pvti", ".exo", ".ex2", ".e")  # of VTK, without a surface
+
+
 class ModelError(Error):
     """A file that cannot be read or written."""
 
@@ -81,9 +84,9 @@ def read(path):
     path = pathlib.Path(path)
     name, suffix = printable(path), path.suffix.lower()
     if suffix not in READERS:
-        suffix = printable(suffix)
-        raise ModelError(f"{name}: cannot read files {suffix or 'without an ending'};"
-                        f" known: {' '.join(sorted(READERS))}")
+        way_out = "; save its surface in ParaView, with Extract Surface or Contour" if suffix in VOLUMES else ""
+        raise ModelError(f"{name}: cannot read files {printable(suffix) or 'without an ending'};"
+                         f" known: {' '.join(sorted(READERS))}{way_out}")
     if not path.is_file():
         raise ModelError(f"{name}: no such file")
     if path.stat().st_size == 0:

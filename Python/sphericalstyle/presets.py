@@ -30,7 +30,8 @@ PRESETS = _read()
 
 
 def find(name):
-    """The preset. @raise ValueError with the names that there are"""
+    """The preset, in capitals or not. @raise ValueError with the names that there are"""
+    name = str(name).capitalize()
     if name not in PRESETS:
         raise ValueError(f"Spherical Style: there is no preset '{name}', only {', '.join(PRESETS)}")
     return PRESETS[name]

@@ -116,6 +116,12 @@ for count_, text in ((1, corners + "vn 0 0 1\nf 1 2 3\nf 1 3 4\nf 1 2 5\nf 4 1 5
 none = reader.GetOutput()
 assert none.GetPointData().GetNormals() and not ss.round(none).GetPointData().GetNormals(), "not only for files"
 
+# Names of presets in any letters, and a way out for what is no surface.
+run_well(creature, output / "chibi.vtp", "--preset", "chIBI", "--quiet")
+assert np.array_equal(points(ss.read(output / "chibi.vtp")), rounded(surface, preset="chibi"))
+(output / "grid.vti").write_text("<VTKFile/>", encoding="ascii")
+refused("save its surface in ParaView, with Extract Surface or Contour", output / "grid.vti", output / "a.vtp", code=1)
+
 # ---------------------------------------------------------------------------------------------------------- what it says
 done = run_well(creature, output / "a.vtp", "--report", output / "a.json", "--no-keep-on-ground", "--center", 0, 0.5, -1)
 assert f"{count} points, moved by up to" in done.stdout and not done.stderr, done

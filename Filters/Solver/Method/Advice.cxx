@@ -113,6 +113,21 @@ void MeasureCenter(const TriangleMesh& mesh, const SurfacePart& part, const Eige
   facts.centerOutside = std::abs(sums[0]) < 1e-6 && sums[1] != 0.0;
 }
 
+Eigen::Vector3d CentroidOfArea(const TriangleMesh& mesh, const SurfacePart& part)
+{
+  const Eigen::VectorXd areas = TriangleAreas(mesh.P, mesh.F);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      sum += areas(f) / 3.0 * mesh.P.row(mesh.F(f, k)).transpose();
+    }
+  }
+  const double area = part.Sum(areas.sum());
+  return Eigen::Vector3d{ part.Sum(sum[0]), part.Sum(sum[1]), part.Sum(sum[2]) } / area;
+}
+
 bool ManyTurned(const TriangleMesh& mesh, const SurfacePart& part, const Points& Q, int threads)
 {
   const auto normal = [&mesh](const Points& x, int f) -> Eigen::Vector3d
@@ -267,6 +282,12 @@ ResultFacts MeasureResult(const TriangleMesh& mesh, const Points& Q, const Metho
   if (report.spheres.size() == 1 && (!o.UsesNormals(part) || o.centerMode == CenterMode::Custom))
   {
     MeasureCenter(mesh, part, report.sphere.center, o.threads, facts);
+    if (facts.centerOutside && o.centerMode == CenterMode::Custom)
+    {
+      ResultFacts around;
+      MeasureCenter(mesh, part, CentroidOfArea(mesh, part), o.threads, around);
+      facts.centroidOutside = around.centerOutside;
+    }
   }
   if (ManyTurned(mesh, part, Q, o.threads))
   {
@@ -304,7 +325,7 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
     { surface.components > 1 && o.componentCoupling == ComponentCoupling::Independent,
       "ComponentCoupling Stitched: " + std::to_string(surface.components) +
         " parts share no edge" },
-    { result.centerOutside && o.centerMode == CenterMode::Custom,
+    { result.centerOutside && !result.centroidOutside && o.centerMode == CenterMode::Custom,
       "CenterMode AreaCentroid: Center lies outside of the model" },
     { result.centerOutside && !o.UsesNormals(),
       "NormalBlend " + Number(Limbs) + ": the center lies outside of the model" },

@@ -205,6 +205,8 @@ void TestEachAdvice()
   options.custom.center = { 0.0, 0.0, 2.0 };
   ExpectAdvice("O outside", Meshes::Icosphere(3), options, "CenterMode AreaCentroid", "outside",
     [](MethodOptions& o) { o.centerMode = CenterMode::AreaCentroid; });
+  const auto outside = Run(Meshes::Cup(0.1), options).result;
+  CHECK(outside.centerOutside && outside.centroidOutside, "the centroid of a cup is in its hollow");
 
   options = Defaults();
   options.sphericalWeighting = SphericalWeighting::Uniform;
@@ -267,6 +269,9 @@ void TestOrder()
   options.componentCoupling = ComponentCoupling::Stitched;
   options.centerMode = CenterMode::Custom;
   expect("CenterMode AreaCentroid: Center lies outside of the model");
+  result.centroidOutside = true;
+  options.normalBlend = 0.0;
+  expect("NormalBlend 0.6: the center lies outside of the model");
   options.centerMode = CenterMode::AreaCentroid;
   options.normalBlend = 0.0;
   expect("NormalBlend 0.6: the center lies outside of the model");
