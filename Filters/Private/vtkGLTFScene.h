@@ -22,13 +22,14 @@ namespace vtkGLTFScene
 /// Where the points of a primitive are in the surface.
 struct Placement
 {
-  std::size_t Mesh;
-  std::size_t Primitive;
-  std::size_t Node;       ///< that shows it
-  Eigen::Matrix3d Linear; ///< of what brings its points into the scene
-  std::size_t First;      ///< point
-  std::size_t Count;
-  bool HasNormals;
+  std::size_t Mesh = 0;
+  std::size_t Primitive = 0;
+  std::size_t Node = 0; ///< that shows it
+  /// Of what brings its points into the scene.
+  Eigen::Matrix3d Linear = Eigen::Matrix3d::Identity();
+  std::size_t First = 0; ///< point
+  std::size_t Count = 0;
+  bool HasNormals = false;
 };
 
 struct Scene
