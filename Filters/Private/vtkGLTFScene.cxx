@@ -505,8 +505,9 @@ Scene vtkGLTFScene::FromSurface(vtkGLTFDocument& document, vtkPolyData* surface)
     .push_back(
       { { "pbrMetallicRoughness", { { "metallicFactor", 0.0 }, { "roughnessFactor", 1.0 } } },
         { "doubleSided", true } });
-  Placement placement{ 0, 0, 0, Eigen::Matrix3d::Identity(), 0,
-    static_cast<std::size_t>(surface->GetNumberOfPoints()), data->GetNormals() != nullptr };
+  Placement placement;
+  placement.Count = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  placement.HasNormals = data->GetNormals() != nullptr;
   return { surface, { placement }, placement.HasNormals };
 }
 

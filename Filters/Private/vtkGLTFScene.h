@@ -25,9 +25,9 @@ struct Placement
   std::size_t Mesh = 0;
   std::size_t Primitive = 0;
   std::size_t Node = 0; ///< that shows it
-  Eigen::Matrix3d Linear =
-    Eigen::Matrix3d::Identity(); ///< of what brings its points into the scene
-  std::size_t First = 0;         ///< point
+  /// Of what brings its points into the scene.
+  Eigen::Matrix3d Linear = Eigen::Matrix3d::Identity();
+  std::size_t First = 0; ///< point
   std::size_t Count = 0;
   bool HasNormals = false;
 };
