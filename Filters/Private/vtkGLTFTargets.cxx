@@ -347,7 +347,7 @@ void vtkGLTFTargets::Add(vtkGLTFDocument& document, const vtkGLTFScene::Scene& s
   }
   vtkDataArray* const array = targets.Model->GetPointData()->GetNormals();
   Rows normals(array ? array->GetNumberOfTuples() : 0, 3);
-  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  for (Eigen::Index i = 0; array && i < normals.rows(); ++i)
   {
     array->GetTuple(i, normals.row(i).data());
   }
