@@ -382,7 +382,7 @@ void vtkSphericalStyleFilter::Solve(Internals& internal, Execution& e)
 }
 
 void vtkSphericalStyleFilter::AttachArrays(
-  const Internals& internal, const Execution& e, vtkPolyData* output)
+  const Internals& internal, const Execution& e, vtkPolyData* output) const
 {
   using vtkSurfaceMeshConversion::AddPointArray;
   const vtkSurfaceMesh& surface = e.Surface();

@@ -544,7 +544,8 @@ private:
     const std::shared_ptr<const vtkProcesses>& processes, Execution& execution);
   SphericalStyle::MethodOptions MakeOptions() const;
   void Solve(Internals& internal, Execution& execution);
-  void AttachArrays(const Internals& internal, const Execution& execution, vtkPolyData* output);
+  void AttachArrays(
+    const Internals& internal, const Execution& execution, vtkPolyData* output) const;
   void SetFacts(const Execution& execution);
   void Review(Internals& internal, const Execution& execution);
 

@@ -29,15 +29,12 @@ bool IsGLTFName(std::string name)
 {
   std::transform(name.begin(), name.end(), name.begin(),
     [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  for (const std::string ending : { ".glb", ".gltf" })
+  const auto ends = [&name](const std::string& ending)
   {
-    if (name.size() > ending.size() &&
-      name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
-    {
-      return true;
-    }
-  }
-  return false;
+    return name.size() > ending.size() &&
+      name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+  };
+  return ends(".glb") || ends(".gltf");
 }
 
 /// Calls, with the name of the file before messages.
@@ -61,8 +58,8 @@ vtkStyleGLTFWriter::vtkStyleGLTFWriter()
 
 vtkStyleGLTFWriter::~vtkStyleGLTFWriter()
 {
-  this->SetFileName(nullptr);
-  this->SetSourceFileName(nullptr);
+  this->vtkStyleGLTFWriter::SetFileName(nullptr);
+  this->vtkStyleGLTFWriter::SetSourceFileName(nullptr);
 }
 
 void vtkStyleGLTFWriter::SetStyle(vtkSphericalStyleFilter* style)

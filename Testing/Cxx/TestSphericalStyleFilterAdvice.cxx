@@ -106,7 +106,7 @@ void WallsStay(Checker& check)
 std::string AdviceOf(Checker& check, WatchedFilter& filter)
 {
   filter.Output();
-  const std::string advice = filter->GetAdvice();
+  std::string advice = filter->GetAdvice();
   auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
   auto* ofTable =
     vtkArrayDownCast<vtkStringArray>(table->GetFieldData()->GetAbstractArray("Advice"));

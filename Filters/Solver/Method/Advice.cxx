@@ -278,6 +278,7 @@ ResultFacts MeasureResult(const TriangleMesh& mesh, const Points& Q, const Metho
   const StyleReport& report, const SurfacePart& part)
 {
   ResultFacts facts;
+  facts.blendsByArray = part.Sum(static_cast<double>(o.normalBlends.size())) > 0.0;
   // Several need not be star-shaped around any; with normals limbs are round by themselves.
   if (report.spheres.size() == 1 && (!o.UsesNormals(part) || o.centerMode == CenterMode::Custom))
   {
@@ -307,6 +308,7 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
 {
   const bool turned = result.turnedOverShare >= TurnedOverLimit;
   const std::string turnedOver = Percent(result.turnedOverShare) + " of the triangles turned over";
+  const bool usesNormals = o.UsesNormals() || result.blendsByArray;
   const bool uniform = o.sphericalWeighting == SphericalWeighting::Uniform;
   const std::string longEdges =
     Percent(surface.longEdgeShare) + " of the area has edges above a tenth of the diagonal";
@@ -318,7 +320,7 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
   // What spoils the result comes before what is only not as good as it could be. Where the property
   // has the value already, or an array replaces it, the next rule is asked.
   const Rule rules[] = {
-    { turned && o.normalBlends.size() == 0 && o.normalBlend > FewLimbs,
+    { turned && !result.blendsByArray && o.normalBlend > FewLimbs,
       "NormalBlend " + Number(FewLimbs) + ": " + turnedOver },
     { turned && o.edgeWeighting == EdgeWeighting::FullEdge,
       "EdgeWeighting HalfEdge: " + turnedOver },
@@ -327,7 +329,7 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
         " parts share no edge" },
     { result.centerOutside && !result.centroidOutside && o.centerMode == CenterMode::Custom,
       "CenterMode AreaCentroid: Center lies outside of the model" },
-    { result.centerOutside && !o.UsesNormals(),
+    { result.centerOutside && !usesNormals,
       "NormalBlend " + Number(Limbs) + ": the center lies outside of the model" },
     { turned && choices.avoidFolds, "AvoidSelfIntersections On: " + turnedOver },
     { turned && o.lambda > LeastRoundness,
@@ -343,7 +345,7 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
       "MaximumEdgeLength 0.04: " + longEdges },
     { o.detailSize == 0.0 && surface.curvature >= CurvatureLimit && result.relief < ReliefLimit,
       "DetailSize 0.06: details keep " + Percent(result.relief) + " of their height" },
-    { result.facingAwayShare >= FacingAwayLimit && !o.UsesNormals(),
+    { result.facingAwayShare >= FacingAwayLimit && !usesNormals,
       "NormalBlend " + Number(Limbs) + ": " + Percent(result.facingAwayShare) +
         " of the surface faces away from the center" },
   };

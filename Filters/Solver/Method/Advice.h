@@ -37,6 +37,7 @@ struct ResultFacts
   bool centerOutside = false;   ///< O lies outside of a closed surface
   bool centroidOutside = false; ///< so does the centroid of its area; only looked for where O does,
                                 ///< and is a center of one's own
+  bool blendsByArray = false;   ///< NormalBlend has an array; a process without points has none
   double facingAwayShare = 0.0; ///< area whose normal at rest points toward O, of all; with normals
                                 ///< in play only looked for around a center of one's own
   /// Triangles turned over, of all; only looked for where as many have turned by a right angle.
