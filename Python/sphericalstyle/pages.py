@@ -24,8 +24,8 @@ def write_page(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.00
     The page is one file that needs no network. It shows shape and vertex colors, not textures.
 
     mesh and keywords are those of sphericalstyle.write_slider; all presets together have more targets, so fewer are the
-    default. The page opens with these; the presets keep center,
-    size, region and what else they do not set. title: of the page; by default the name of the file.
+    default. The page opens with these; the presets keep center, size, region and what else they do not set.
+    title: of the page; by default the name of the file.
     """
     path = pathlib.Path(path)
     if path.suffix.lower() not in PAGES:
@@ -35,8 +35,8 @@ def write_page(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.00
                                                if key not in known or known[key].name not in item.properties})
                for name, item in presets.PRESETS.items()]
     chosen = {key: value for key, value in properties.items() if value is not None}
-    first = next((item for item in choices if item[0] == (preset or "Toy")), None)
-    if first is None or first[3] != chosen:  # not just a preset
+    first = next(item for item in choices if item[0] == presets.name_of(preset or "Toy"))
+    if first[3] != chosen:  # not just a preset
         first = ("As chosen", "What the page was made with", preset, properties)
     choices = [first] + [item for item in choices if item is not first]
     data = None

@@ -29,12 +29,17 @@ def _read():
 PRESETS = _read()
 
 
-def find(name):
-    """The preset, in capitals or not. @raise ValueError with the names that there are"""
-    name = str(name).capitalize()
+def name_of(text):
+    """A name in any letters, as the table has it. @raise ValueError with the names that there are"""
+    name = str(text).capitalize()
     if name not in PRESETS:
-        raise ValueError(f"Spherical Style: there is no preset '{name}', only {', '.join(PRESETS)}")
-    return PRESETS[name]
+        raise ValueError(f"Spherical Style: there is no preset '{text}', only {', '.join(PRESETS)}")
+    return name
+
+
+def find(name):
+    """The preset. @raise ValueError with the names that there are"""
+    return PRESETS[name_of(name)]
 
 
 def apply(style, name):

@@ -64,6 +64,10 @@ ss.write_page(place("own.html"), snowman, preset="Ball", roundness=2, up_axis="Z
 shown, _ = data_of(place("own.html"))
 assert shown["presets"][0]["name"] == "As chosen" and len(shown["presets"]) == 1 + len(ss.presets.PRESETS)
 assert abs(shown["presets"][0]["start"] - 2 * 3 ** 0.5 / (1 + 2 * 3 ** 0.5)) < 1e-6 and shown["up"][1] == [0, 0, 1]
+triangle = [[0.0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]
+ss.write_page(place("chibi.html"), triangle, preset="chibi", maximum_targets=2)
+names = [preset["name"] for preset in data_of(place("chibi.html"))[0]["presets"]]
+assert names[0] == "Chibi" and sorted(names) == sorted(ss.presets.PRESETS), "a name in any letters is that preset"
 try:
     ss.write_page(place("page.txt"), snowman)
     raise AssertionError("not refused")
