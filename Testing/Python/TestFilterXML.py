@@ -189,16 +189,6 @@ check(len(outputs) == Filter().GetNumberOfOutputPorts(), f"number of outputs: {l
 views = {(int(v.get("port")), v.get("type")) for v in proxy.findall("Hints/View")}
 check(views == {(port, "None") for port, _ in outputs[1:]}, f"views {views}")
 
-# A resource that is not there is no icon, without a word.
-menu = proxy.find("Hints/ShowInMenu")
-check(menu.get("category") == "Spherical Style", "menu")
-check((menu.get("show_in_toolbar") == "1") != (expected["kind"] == "study"), "toolbar: what is for study stays in the menu")
-icon = menu.get("icon")
-icons = os.path.join(os.path.dirname(sys.argv[1]), "Icons")
-check(icon == f":/SphericalStyle/{xml_name}.svg", f"icon {icon}")
-check(ElementTree.parse(os.path.join(icons, xml_name + ".svg")).getroot().get("viewBox") == "0 0 24 24",
-      "size of the icon")
-
 # ------------------------------------------------------------------------------------------- panel
 # A group that names a property that is not there is dropped by ParaView without a word.
 for group in proxy.findall("PropertyGroup"):
