@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqUpOfView.h"
+
+#include "pqPropertyWidget.h"
+#include "pqShownValue.h"
+#include "pqView.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMIntVectorProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMRenderViewProxy.h"
+
+#include <QComboBox>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+pqUpOfView::pqUpOfView(vtkPVXMLElement* xml, pqPropertyWidget* widget)
+  : pqPropertyWidgetDecorator(xml, widget)
+  , Other(widget->proxy()->GetProperty(xml->GetAttributeOrEmpty("property")))
+{
+  xml->GetScalarAttribute("value", &this->Value);
+  auto* axis = vtkSMIntVectorProperty::SafeDownCast(widget->property());
+  auto* list = widget->findChild<QComboBox*>();
+  if (!this->Other || !axis || !list)
+  {
+    return;
+  }
+  this->OwnAxis = axis->GetDefaultValue(0);
+  this->WasNeeded = this->isNeeded();
+  QObject::connect(
+    list, qOverload<int>(&QComboBox::activated), this, [this] { this->Chosen = true; });
+  for (const auto event : { vtkCommand::ModifiedEvent, vtkCommand::UncheckedPropertyModifiedEvent })
+  {
+    this->Observers.add(this->Other, event, this, &pqUpOfView::follow);
+  }
+}
+
+bool pqUpOfView::isNeeded() const
+{
+  return pqShownValue::get(this->Other) == this->Value;
+}
+
+bool pqUpOfView::isChosen() const
+{
+  const double axis = pqShownValue::get(this->parentWidget()->property());
+  auto* property = vtkSMIntVectorProperty::SafeDownCast(this->parentWidget()->property());
+  return this->Chosen || (axis != this->OwnAxis && axis != property->GetDefaultValue(0));
+}
+
+void pqUpOfView::follow()
+{
+  const bool was = this->WasNeeded;
+  this->WasNeeded = this->isNeeded();
+  // Undo and scripts set both properties themselves, and leave nothing to apply.
+  const bool byUser = vtkSMPropertyHelper(this->Other).GetAsDouble() != this->Value;
+  if (this->WasNeeded && !was && byUser && !this->isChosen())
+  {
+    this->setAxis();
+  }
+}
+
+void pqUpOfView::setAxis()
+{
+  pqPropertyWidget* widget = this->parentWidget();
+  auto* shown =
+    widget->view() ? vtkSMRenderViewProxy::SafeDownCast(widget->view()->getProxy()) : nullptr;
+  if (!shown)
+  {
+    return;
+  }
+  std::array<double, 3> up{};
+  shown->GetActiveCamera()->GetViewUp(up.data());
+  const auto longest = std::max_element(
+    up.begin(), up.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  this->OwnAxis = static_cast<double>(longest - up.begin());
+  pqShownValue::set(widget->property(), this->OwnAxis);
+  Q_EMIT widget->changeAvailable();
+}
