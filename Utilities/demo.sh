@@ -6,7 +6,7 @@
 #
 # Installs missing packages, builds, and rounds MESH (ply, stl, obj, vtk or vtp; default:
 # Data/creature.vtp). Writes the rounded mesh and pictures to demo-output/ in the project's folder.
-#   --up    axis of the model that points up (default y)
+#   --up    axis of the model that points up (default: z for .stl, y for others)
 #   --view  angle of the camera around that axis, in degrees (default 25)
 # VERBOSE=1 shows everything that the steps print.
 for option in "$@"; do

@@ -19,7 +19,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from . import __version__, model_files, presets
 from .messages import Error, printable
-from .model_files import READERS, WRITERS, cannot_write, is_gltf, largest_move, place_in, read, whole, write
+from .model_files import (READERS, UP_AXES, WRITERS, cannot_write, is_gltf, largest_move, place_in, read, up_axis_of,
+                          whole, write)
 from .pages import PAGES, write_page
 from .properties import closest, properties
 from .rounding import ARRAYS, execute, make
@@ -110,6 +111,9 @@ def _option(keyword):
 
 
 def _default(property_):
+    if property_.keyword == "up_axis":
+        others = [f"{axis} for {suffix}" for suffix, axis in UP_AXES.items()]
+        return ", ".join([*others, f"{property_.default} for others"])
     if property_.kind == "switch":
         return "on" if property_.default else "off"
     if property_.kind == "vector":
@@ -250,6 +254,7 @@ def round_one(job, keywords, view=0.0, progress=None):
     start = time.perf_counter()
     surface = read(job.source)
     target = place_in(job.folder, job.target) if job.folder else job.target
+    keywords = {"up_axis": up_axis_of(job.source)} | keywords
     style, messages = execute(surface, progress=progress, **keywords)
     result = style.GetOutput()
     with warnings.catch_warnings():
@@ -266,13 +271,14 @@ def round_one(job, keywords, view=0.0, progress=None):
 
         job.picture.parent.mkdir(parents=True, exist_ok=True)
         with whole(job.picture) as part:
-            before_after(part, surface, style, "xyz"[style.GetUpAxis()], view)
+            before_after(part, surface, style, "xyz"[style.GetUpAxis()], view, keywords.get("preset"))
     return {"points": surface.GetNumberOfPoints(),
             "new points": result.GetNumberOfPoints() - surface.GetNumberOfPoints(),
             "largest move": f"{largest_move(result):.4g}",
             "seconds": f"{time.perf_counter() - start:.2f}", "result": "rounded", "output": str(target),
             "warnings": messages.warnings, "advice": style.GetAdvice() or "",
-            "center": list(style.GetEffectiveCenter()), "radius": style.GetEffectiveRadius()}
+            "up_axis": "XYZ"[style.GetUpAxis()], "center": list(style.GetEffectiveCenter()),
+            "radius": style.GetEffectiveRadius()}
 
 
 def _try(job, keywords, view, progress=None):
@@ -366,6 +372,8 @@ def _write_report(path, lines, keywords):
     for keyword, property_ in properties().items():
         value = getattr(style, "Get" + property_.name)()
         values[keyword] = property_.choices[value] if property_.choices else value
+    if "up_axis" not in keywords:
+        values["up_axis"] = None  # each model has its own
     models = []
     for line in lines:
         model = {key.replace(" ", "_"): value for key, value in line.items()}

@@ -48,8 +48,17 @@ WRITERS = {
 VOLUMES = (".vti", ".vtr", ".vts", ".vtu", ".vtm", ".pvtu", ".pvti", ".exo", ".ex2", ".e")  # of VTK, without a surface
 
 
+#: The axis that points up in models of a format: in programs for printing and construction it is Z.
+UP_AXES = {".stl": "Z"}
+
+
 class ModelError(Error):
     """A file that cannot be read or written."""
+
+
+def up_axis_of(path):
+    """The axis that usually points up in models of this format."""
+    return UP_AXES.get(pathlib.Path(path).suffix.lower(), "Y")
 
 
 def place_in(folder, name):

@@ -15,6 +15,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkLightKit, vtkPolyDataMapper, vtkRenderer,
                                          vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
 
+from . import presets
 from .model_files import ModelError, run_writer
 
 CLAY = (0.88, 0.62, 0.47)
@@ -134,11 +135,13 @@ def picture(path, size, panels, up, view, points, **options):
     run_writer(vtkPNGWriter(), path, image_of(size, panels, up, view, points, **options))
 
 
-def before_after(path, model, style, up, view):
-    """Writes a PNG with the model beside the result of an executed filter, on one ground and in one scale."""
-    label = "after: " + ", ".join(f"{name} {getattr(style, 'Get' + name)():g}"
-                                  for name in ("Roundness", "NormalBlend", "DetailSize"))
-    picture(path, (1600, 900), [[(model, "before"), (style.GetOutput(), label)]], up, view, 26, ground=True)
+def before_after(path, model, style, up, view, preset=None):
+    """Writes a PNG with the model beside the result of an executed filter, on one ground and in one scale.
+    preset: what its properties come from; without one, that which has the same."""
+    preset = presets.name_of(preset) if preset else presets.shown_by(style)
+    values = [f"{name} {getattr(style, 'Get' + name)():g}" for name in ("Roundness", "NormalBlend", "DetailSize")]
+    label = "after: " + ", ".join([preset] * bool(preset) + values)
+    picture(path, (1600, 900), [[(model, "before"), (style.GetOutput(), label)]], up, view, 24, ground=True)
 
 
 def check_display():

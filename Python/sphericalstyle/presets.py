@@ -42,6 +42,17 @@ def find(name):
     return PRESETS[name_of(name)]
 
 
+def shown_by(style):
+    """The name of the first preset that says what the filter is set to, or None."""
+    for name, preset in PRESETS.items():
+        other = style.NewInstance()
+        apply(other, name)
+        if all(getattr(style, "Get" + property_)() == getattr(other, "Get" + property_)()
+               for property_ in preset.properties):
+            return name
+    return None
+
+
 def apply(style, name):
     """Sets what the preset says. @param style  a vtkSphericalStyleFilter @param name  of PRESETS"""
     for property_, value in find(name).properties.items():

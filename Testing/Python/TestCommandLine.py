@@ -14,10 +14,11 @@ import re
 import shutil
 import subprocess
 import sys
+from unittest import mock
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOGeometry import vtkOBJReader
 
@@ -140,6 +141,24 @@ with open(output / "a.csv", newline="", encoding="utf-8") as file:
     line, = csv.DictReader(file)
 assert line["result"] == "rounded" and int(line["points"]) == count and line["new points"] == "0", line
 
+# The axis that points up is that of each format, unless it is given.
+upright = vtkPolyData()
+upright.CopyStructure(surface)
+standing = vtkPoints()
+standing.SetData(numpy_to_vtk(points(surface)[:, [0, 2, 1]] * np.float32([1, -1, 1]), deep=True))
+upright.SetPoints(standing)
+ss.write(output / "upright.stl", upright)
+mixed = [output / "upright.stl", creature, "--output", output / "mixed", "--keep-on-ground", "--roundness", 5, "--quiet"]
+run_well(*mixed, "--report", output / "a.json")
+report = json.loads((output / "a.json").read_text(encoding="utf-8"))
+assert report["properties"]["up_axis"] is None and [model["up_axis"] for model in report["models"]] == ["Y", "Z"], report
+for name, model, axis in (("creature.vtp", surface, 1), ("upright.stl", upright, 2)):
+    lowest = [points(mesh)[:, axis].min() for mesh in (ss.read(output / "mixed" / name), model)]
+    assert np.isclose(*lowest, atol=1e-5), (name, lowest)
+run_well(*mixed, "--up-axis", "x", "--report", output / "a.json")
+report = json.loads((output / "a.json").read_text(encoding="utf-8"))
+assert report["properties"]["up_axis"] == "X" and [model["up_axis"] for model in report["models"]] == ["X", "X"], report
+
 # A bar on a terminal only.
 leader, follower = pty.openpty()
 process = subprocess.Popen([program, creature, output / "a.vtp"], stdout=subprocess.DEVNULL, stderr=follower)
@@ -158,6 +177,7 @@ for keyword, property_ in properties.properties().items():
     assert "--" + keyword.replace("_", "-") in text, keyword
 assert f"(0 to 1; default: {style.GetNormalBlend():g})" in flat, flat
 assert 'default: Area)' in flat and "default: off)" in flat and "exit codes:" in text
+assert "default: Z for .stl, Y for others)" in flat, flat
 for name in presets.PRESETS:
     assert f"{name}: " in flat, name
 for action in make_parser()._actions:  # every default is shown
@@ -238,18 +258,35 @@ if done.returncode:
 if os.environ.get("DISPLAY"):
     from vtkmodules.vtkIOImage import vtkPNGReader
 
+    from sphericalstyle import model_pictures
+
+    def seen_in(path):
+        """Where a picture shows a model, above the labels."""
+        reader = vtkPNGReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        width, height, _ = reader.GetOutput().GetDimensions()
+        image = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)
+        assert (image[-1] == 255).all(), "a light background"
+        return np.any(image[height // 8:] < 250, axis=2)
+
     run_well(creature, output / "p.ply", "--picture", output / "p.png", "--roundness", 5, "--normal-blend", 0)
-    reader = vtkPNGReader()
-    reader.SetFileName(str(output / "p.png"))
-    reader.Update()
-    width, height, _ = reader.GetOutput().GetDimensions()
-    image = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)
-    assert (image[-1] == 255).all(), "a light background"
-    seen = np.any(image[height // 8:] < 250, axis=2)  # above the labels
+    seen = seen_in(output / "p.png")
+    height, width = seen.shape
     left, right = seen[:, :width // 2], seen[:, width // 2:]
     assert left.any() and right.any() and not np.array_equal(left, right)
     feet = [int(np.argmax(half.any(axis=1))) for half in (left, right)]
     assert abs(feet[0] - feet[1]) < height // 10, ("both stand on one ground", feet)
+    run_well(output / "upright.stl", output / "p.ply", "--picture", output / "stl.png", "--roundness", 5,
+             "--normal-blend", 0)
+    assert (seen_in(output / "stl.png") != seen).mean() < 1e-3, "an STL file stands on Z"
+    for keywords, name in (({}, "Toy, "), ({"preset": "chubby", "detail_size": 0.1}, "Chubby, "), ({"roundness": 9}, "")):
+        with mock.patch.object(model_pictures, "picture") as picture:
+            style = ss.rounding.make(**keywords)
+            style.SetInputData(surface)
+            model_pictures.before_after(output / "p.png", surface, style, "y", 0, keywords.get("preset"))
+        label = picture.call_args.args[2][0][1][1]
+        assert label.startswith(f"after: {name}Roundness {style.GetRoundness():g}, NormalBlend"), label
     done = run(models, output / "all", "--picture", output / "pictures", "--quiet")
     assert [file.name for file in (output / "pictures").iterdir()] == ["creature.vtp.png"], done
 
