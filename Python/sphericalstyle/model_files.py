@@ -8,6 +8,7 @@ import pathlib
 
 import vtkmodules.vtkIOGeometry as geometry
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import (vtkBYUReader, vtkBYUWriter, vtkGLTFReader, vtkGLTFWriter, vtkIVWriter,
@@ -223,7 +224,7 @@ def _gltf_blocks(surface):
 def _with_float_colors(surface):
     """The surface with colors of bytes as shares of one: VTK 9.6 writes bytes that no program can read."""
     colors = surface.GetPointData().GetScalars()
-    if colors is None or colors.GetClassName() != "vtkUnsignedCharArray":
+    if colors is None or colors.GetDataType() != VTK_UNSIGNED_CHAR:
         return surface
     shares = numpy_to_vtk(vtk_to_numpy(colors).astype("float32") / 255, deep=True)
     shares.SetName(colors.GetName())
@@ -238,7 +239,7 @@ def _choose_colors(writer, surface):
     for data in (surface.GetPointData(), surface.GetCellData()):
         arrays = [data.GetScalars(), *(data.GetArray(k) for k in range(data.GetNumberOfArrays()))]
         for array in arrays:
-            if array and array.GetName() and array.GetClassName() == "vtkUnsignedCharArray" \
+            if array and array.GetName() and array.GetDataType() == VTK_UNSIGNED_CHAR \
                     and array.GetNumberOfComponents() in (3, 4):
                 writer.SetArrayName(array.GetName())
                 writer.SetEnableAlpha(array.GetNumberOfComponents() == 4)

@@ -101,6 +101,13 @@ for format_ in readable:
 assert ss.read(output / "round.ply").GetPointData().HasArray("RGB")
 assert ss.read(output / "round.obj").GetPointData().GetTCoords()
 
+# numpy_to_vtk makes a vtkTypeUInt8Array.
+colors = numpy_to_vtk(vtk_to_numpy(colors), deep=True)
+colors.SetName("RGB")
+colored.GetPointData().SetScalars(colors)
+ss.write(output / "numpy.ply", colored)
+assert ss.read(output / "numpy.ply").GetPointData().HasArray("RGB")
+
 # OBJ files with normals that no face names, and without those that faces name: VTK's reader makes arrays of one value
 # and of none for five points.
 corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt .5 .5\n"
