@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqFitToPanel.h"
 
+#include "pqAncestor.h"
 #include "pqDoubleLineEdit.h"
 #include "pqDoubleRangeWidget.h"
 #include "pqProxyWidget.h"
@@ -14,17 +15,6 @@
 
 namespace
 {
-template <class T>
-T* FindAncestor(QWidget* widget)
-{
-  T* ancestor = nullptr;
-  for (; widget && !ancestor; widget = widget->parentWidget())
-  {
-    ancestor = qobject_cast<T*>(widget);
-  }
-  return ancestor;
-}
-
 /// As many digits as there is room for, at most as many as ParaView's settings say. All of them
 /// show while the number is edited.
 void FitDigits(pqDoubleLineEdit* number)
@@ -86,8 +76,8 @@ bool pqFitToPanel::eventFilter(QObject* watched, QEvent* event)
 
 void pqFitToPanel::watchPanel()
 {
-  auto* panel = FindAncestor<QScrollArea>(this->parentWidget());
-  auto* properties = FindAncestor<pqProxyWidget>(this->parentWidget());
+  auto* panel = pqAncestor<QScrollArea>(this->parentWidget());
+  auto* properties = pqAncestor<pqProxyWidget>(this->parentWidget());
   if (!panel || !panel->widget() || !properties || panel == this->Panel)
   {
     return;

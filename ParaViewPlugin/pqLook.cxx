@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqLook.h"
 
+#include "pqAncestor.h"
 #include "pqApplicationCore.h"
 #include "pqPipelineSource.h"
 #include "pqPropertiesPanel.h"
@@ -215,13 +216,9 @@ void pqLook::colorBy(const Color& color, bool on)
   {
     pqShownValue::set(color.Switch, 1.0);
     Q_EMIT this->changeAvailable();
-    for (QWidget* widget = this->parentWidget(); widget; widget = widget->parentWidget())
+    if (auto* panel = pqAncestor<pqPropertiesPanel>(this))
     {
-      if (auto* panel = qobject_cast<pqPropertiesPanel*>(widget))
-      {
-        panel->apply();
-        break;
-      }
+      panel->apply();
     }
   }
   this->Before->setChecked(false);

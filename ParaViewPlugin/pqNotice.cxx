@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqNotice.h"
 
+#include "pqAncestor.h"
+#include "pqNote.h"
 #include "pqPropertiesPanel.h"
 #include "pqShownValue.h"
 #include "vtkCommand.h"
@@ -10,7 +12,6 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 
-#include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QVBoxLayout>
@@ -19,24 +20,15 @@ pqNotice::pqNotice(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* pa
   : pqPropertyWidget(smproxy, parentWidget)
   , Text(smgroup->GetProperty("Text"))
   , Title(smgroup->GetXMLLabel())
-  , Label(new QLabel(this))
+  , Note(new pqNote(this))
   , Button(new QPushButton(this))
 {
   this->setShowLabel(false);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(this->Label);
+  layout->addWidget(this->Note);
   layout->addWidget(this->Button, 0, Qt::AlignLeft);
-  this->Label->setObjectName("Text");
-  this->Label->setWordWrap(true);
-  this->Label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  this->Label->setToolTip(pqPropertyWidget::getTooltip(this->Text));
-  // The colors of tool tips are those that a desktop has for short notes.
-  this->Label->setFrameShape(QFrame::StyledPanel);
-  this->Label->setMargin(4);
-  this->Label->setAutoFillBackground(true);
-  this->Label->setBackgroundRole(QPalette::ToolTipBase);
-  this->Label->setForegroundRole(QPalette::ToolTipText);
+  this->Note->setToolTip(pqPropertyWidget::getTooltip(this->Text));
   this->Button->setObjectName("Follow");
   QObject::connect(this->Button, &QPushButton::clicked, this, &pqNotice::follow);
   this->Observers.add(this->Text, vtkCommand::ModifiedEvent, this, &pqNotice::updateText);
@@ -60,7 +52,7 @@ void pqNotice::updateText()
     this->Button->setToolTip(tr("Follows the advice and applies it. Undo takes it back."));
   }
   this->Button->setVisible(this->Advised != nullptr);
-  this->Label->setText(QString("<b>%1:</b> %2").arg(this->Title, text.toHtmlEscaped()));
+  this->Note->setText(QString("<b>%1:</b> %2").arg(this->Title, text.toHtmlEscaped()));
 }
 
 void pqNotice::follow()
@@ -71,12 +63,8 @@ void pqNotice::follow()
   }
   pqShownValue::set(this->Advised, this->Value);
   Q_EMIT this->changeAvailable();
-  for (QWidget* widget = this->parentWidget(); widget; widget = widget->parentWidget())
+  if (auto* panel = pqAncestor<pqPropertiesPanel>(this))
   {
-    if (auto* panel = qobject_cast<pqPropertiesPanel*>(widget))
-    {
-      panel->apply(); // last: what it executes may change this widget
-      return;
-    }
+    panel->apply(); // last: what it executes may change this widget
   }
 }

@@ -18,8 +18,8 @@
 #include "pqPropertyWidget.h"
 #include "vtkSmartPointer.h"
 
-class QLabel;
 class QPushButton;
+class pqNote;
 class vtkSMPropertyGroup;
 
 class pqNotice : public pqPropertyWidget
@@ -35,7 +35,7 @@ private:
 
   vtkSmartPointer<vtkSMProperty> Text;
   QString Title;
-  QLabel* Label;
+  pqNote* Note;
   QPushButton* Button;
   vtkSmartPointer<vtkSMProperty> Advised; // what the button sets, and to what
   double Value = 0.0;

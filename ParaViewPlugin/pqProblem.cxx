@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqProblem.h"
 
+#include "pqAncestor.h"
 #include "pqApplicationCore.h"
+#include "pqNote.h"
 #include "pqPipelineSource.h"
 #include "pqPropertiesPanel.h"
 #include "pqPropertyWidgetDecorator.h"
@@ -20,11 +22,11 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 
-#include <QLabel>
 #include <QPointer>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QStringList>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace
@@ -32,16 +34,6 @@ namespace
 pqPipelineSource* FindItem(vtkSMProxy* proxy)
 {
   return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(proxy);
-}
-
-pqPropertiesPanel* FindPanel(QWidget* widget)
-{
-  pqPropertiesPanel* panel = nullptr;
-  for (; widget && !panel; widget = widget->parentWidget())
-  {
-    panel = qobject_cast<pqPropertiesPanel*>(widget);
-  }
-  return panel;
 }
 
 /// None before the input was executed: asking for it would do that.
@@ -88,23 +80,15 @@ private:
 
 pqProblem::pqProblem(vtkSMProxy* smproxy, vtkSMPropertyGroup*, QWidget* parentWidget)
   : pqPropertyWidget(smproxy, parentWidget)
-  , Label(new QLabel(this))
+  , Note(new pqNote(this))
   , Button(new QPushButton(tr("Extract Surface"), this))
   , Shown(new Visibility(this))
 {
   this->setShowLabel(false);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(this->Label);
+  layout->addWidget(this->Note);
   layout->addWidget(this->Button, 0, Qt::AlignLeft);
-  this->Label->setObjectName("Text");
-  this->Label->setWordWrap(true);
-  this->Label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  this->Label->setMargin(4);
-  // The colors of tool tips are those that a desktop has for short notes.
-  this->Label->setAutoFillBackground(true);
-  this->Label->setBackgroundRole(QPalette::ToolTipBase);
-  this->Label->setForegroundRole(QPalette::ToolTipText);
   this->Button->setObjectName("ExtractSurface");
   this->Button->setToolTip(tr("Puts the filter Extract Surface in front of this one."));
   // Not at once: the click makes another panel the active one.
@@ -201,10 +185,12 @@ void pqProblem::updateText()
   }
   texts.removeDuplicates();
   const QString text = ofInput.isEmpty() ? texts.join("\n\n") : ofInput;
-  this->Label->setText(text);
-  this->Label->setStyleSheet(
-    serious ? "background: #b35900; color: white; border-radius: 4px;" : "");
-  this->Button->setVisible(IsNoSurface(KnownData(this->proxy())));
+  if (!text.isEmpty()) // else it goes as it is
+  {
+    this->Note->setText(text);
+    this->Note->setSerious(serious);
+    this->Button->setVisible(IsNoSurface(KnownData(this->proxy())));
+  }
   this->Shown->setVisible(!text.isEmpty());
 }
 
@@ -239,7 +225,7 @@ void pqProblem::extractSurface()
   vtkSMPropertyHelper input(this->proxy(), "Input");
   auto* model = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
   const QPointer<pqPipelineSource> item = FindItem(this->proxy());
-  const QPointer<pqPropertiesPanel> panel = FindPanel(this->parentWidget());
+  const QPointer<pqPropertiesPanel> panel = pqAncestor<pqPropertiesPanel>(this);
   if (!model || !item)
   {
     return;
@@ -271,6 +257,7 @@ void pqProblem::extractSurface()
     ->SetCurrentProxy(item->getProxy(), vtkSMProxySelectionModel::CLEAR_AND_SELECT);
   if (panel)
   {
-    panel->apply();
+    // When the panel is laid out without the note: executing paints it as it is.
+    QTimer::singleShot(0, panel, &pqPropertiesPanel::apply);
   }
 }

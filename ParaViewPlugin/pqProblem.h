@@ -20,8 +20,8 @@
 
 #include <vector>
 
-class QLabel;
 class QPushButton;
+class pqNote;
 class vtkSMPropertyGroup;
 
 class pqProblem : public pqPropertyWidget
@@ -46,7 +46,7 @@ private:
   QString problemOfInput() const;
   void extractSurface();
 
-  QLabel* Label;
+  pqNote* Note;
   QPushButton* Button;
   Visibility* Shown;
   struct Message

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqUpdateWhileDragging.h"
 
+#include "pqAncestor.h"
 #include "pqApplicationCore.h"
 #include "pqInteractivePropertyWidgetAbstract.h"
 #include "pqPipelineSource.h"
@@ -24,16 +25,6 @@
 
 namespace
 {
-pqProxyWidget* FindPanel(QWidget* widget)
-{
-  pqProxyWidget* panel = nullptr;
-  for (; widget && !panel; widget = widget->parentWidget())
-  {
-    panel = qobject_cast<pqProxyWidget*>(widget);
-  }
-  return panel;
-}
-
 pqPipelineSource* FindSource(pqPropertyWidget* widget)
 {
   return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
@@ -183,7 +174,7 @@ void pqUpdateWhileDragging::close()
 
 void pqUpdateWhileDragging::update()
 {
-  const pqProxyWidget* panel = FindPanel(this->parentWidget());
+  const pqProxyWidget* panel = pqAncestor<pqProxyWidget>(this->parentWidget());
   pqPipelineSource* source = FindSource(this->parentWidget());
   pqView* view = this->parentWidget()->view();
   if (!panel || !source || !view)
