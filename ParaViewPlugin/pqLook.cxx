@@ -23,12 +23,13 @@
 #include "vtkSMPropertyGroup.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMViewProxy.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
+
+#include <algorithm>
 
 namespace
 {
@@ -70,9 +71,14 @@ pqLook::pqLook(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parent
   vtkPVXMLElement* hints = smgroup->GetHints();
   for (unsigned int i = 0; hints && i < hints->GetNumberOfNestedElements(); ++i)
   {
-    if (QString(hints->GetNestedElement(i)->GetName()) == "Color")
+    vtkPVXMLElement* hint = hints->GetNestedElement(i);
+    if (QString(hint->GetName()) == "Color")
     {
-      this->addColor(hints->GetNestedElement(i));
+      this->addColor(hint);
+    }
+    else
+    {
+      this->Plain.insert(hint->GetAttributeOrEmpty("array"));
     }
   }
   layout->addStretch();
@@ -111,6 +117,38 @@ void pqLook::apply()
 {
   this->Before->setChecked(false);
   this->pqPropertyWidget::apply();
+  auto* panel = pqAncestor<pqPropertiesPanel>(this);
+  if (panel && !this->result() && !this->FirstApply)
+  {
+    // After ParaView, which displays the result then, and in the same step of undo.
+    this->FirstApply = QObject::connect(
+      panel, qOverload<pqProxy*>(&pqPropertiesPanel::applied), this, &pqLook::showFirst);
+  }
+}
+
+void pqLook::showFirst(pqProxy* applied)
+{
+  if (applied != this->Source)
+  {
+    return;
+  }
+  QObject::disconnect(this->FirstApply);
+  this->FirstApply = {};
+  vtkSMPVRepresentationProxy* display = this->result();
+  if (!display)
+  {
+    return;
+  }
+  vtkSMViewProxy* smview = this->view()->getViewProxy();
+  if (this->Plain.contains(pqColors::get(display, smview).Array))
+  {
+    pqColors::set(display, smview, {});
+  }
+  else if (pqColors::areShown(display))
+  {
+    pqColors::setMapped(display, false);
+    display->SetScalarBarVisibility(smview, false);
+  }
 }
 
 void pqLook::select()
@@ -167,7 +205,8 @@ QString pqLook::seen() const
     words << "result";
     if (display->GetUsingScalarColoring())
     {
-      words << vtkSMPropertyHelper(display, "ColorArrayName").GetInputArrayNameToProcess();
+      words << vtkSMPropertyHelper(display, "ColorArrayName").GetInputArrayNameToProcess() +
+          QString(pqColors::areMapped(display) ? "" : " itself");
     }
     if (display->IsScalarBarVisible(this->view()->getProxy()))
     {
@@ -225,15 +264,20 @@ void pqLook::colorBy(const Color& color, bool on)
   if (vtkSMPVRepresentationProxy* display = this->result())
   {
     vtkSMViewProxy* smview = this->view()->getViewProxy();
+    const pqColors::Choice before = pqColors::get(display, smview);
+    const bool own = std::none_of(this->Colors.begin(), this->Colors.end(),
+      [&](const Color& other) { return other.Array == before.Array; });
+    if (on && own)
+    {
+      this->OwnColors = before;
+    }
     BEGIN_UNDO_SET(tr("Color by %1").arg(color.Button->text()));
-    display->SetScalarColoring(on ? color.Array.data() : nullptr, vtkDataObject::POINT);
+    pqColors::set(display, smview,
+      on ? pqColors::Choice{ color.Array, vtkDataObject::POINT, true } : this->OwnColors);
     if (on)
     {
       display->RescaleTransferFunctionToDataRange();
-      display->SetScalarBarVisibility(smview, true);
     }
-    vtkNew<vtkSMTransferFunctionManager>()->UpdateScalarBars(
-      smview, vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
     END_UNDO_SET();
     this->view()->render();
   }
@@ -247,9 +291,25 @@ void pqLook::refresh()
   vtkSMPVRepresentationProxy* display = this->result();
   if (vtkSMProperty* colors = display ? display->GetProperty("ColorArrayName") : nullptr)
   {
+    this->Observers.add(colors, vtkCommand::ModifiedEvent, this, &pqLook::fitColors);
     this->Observers.add(colors, vtkCommand::ModifiedEvent, this, &pqLook::updateButtons);
+    this->fitColors();
   }
   this->updateButtons();
+}
+
+/// Numbers that are no colors need a color map again.
+void pqLook::fitColors()
+{
+  vtkSMPVRepresentationProxy* display = this->result();
+  if (display && !pqColors::areMapped(display) && pqColors::areShown(display))
+  {
+    this->WithColors = display;
+  }
+  else if (display && display == this->WithColors)
+  {
+    pqColors::setMapped(display, !pqColors::areShown(display));
+  }
 }
 
 void pqLook::updateButtons()

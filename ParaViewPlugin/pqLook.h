@@ -8,33 +8,40 @@
 ///       <Property name="Converged"/>
 ///       <Hints>
 ///         <Color text="Displacement" array="Displacement" property="GenerateDisplacement"/>
+///         <Plain array="STLSolidLabeling"/>
 ///       </Hints>
 ///     </PropertyGroup>
 ///
 /// The property of the group is there for its place in the panel, see pqPresets.h. A button of
 /// colors switches on the property that makes the array. The result comes back, and the model is
 /// hidden again, with a second click, with Apply, and where another filter or view is chosen.
+///
+/// When the first Apply displays the result, ParaView colors it by the array that colors the model.
+/// It then shows an array of colors as they are, where ParaView would map their magnitude, and the
+/// surface in one color where the array is Plain: one that a reader made, and no user asked for.
 #ifndef pqLook_h
 #define pqLook_h
 
+#include "pqColors.h"
 #include "pqObservers.h"
 #include "pqPropertyWidget.h"
 #include "vtkWeakPointer.h"
 
 #include <QPointer>
+#include <QSet>
 
 #include <vector>
 
 class QPushButton;
 class pqPipelineSource;
+class pqProxy;
 class vtkSMPVRepresentationProxy;
 class vtkSMPropertyGroup;
 
 class pqLook : public pqPropertyWidget
 {
   Q_OBJECT
-  Q_PROPERTY(
-    QString seen READ seen) ///< for tests: "model", "result", "result, Displacement, legend"
+  Q_PROPERTY(QString seen READ seen) ///< for tests: "model", "result, RGB itself, legend"
 
 public:
   pqLook(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
@@ -57,6 +64,8 @@ private:
 
   void addColor(vtkPVXMLElement* xml);
   void showModel(bool show);
+  void showFirst(pqProxy* applied);
+  void fitColors();
   void colorBy(const Color& color, bool on);
   void refresh();
   void updateButtons();
@@ -65,6 +74,10 @@ private:
 
   QPushButton* Before;
   std::vector<Color> Colors;
+  pqColors::Choice OwnColors; // what the result had before a button colored it
+  QSet<QByteArray> Plain;
+  vtkWeakPointer<vtkSMProxy> WithColors; // a display of colors as they are
+  QMetaObject::Connection FirstApply;
   QPointer<pqPipelineSource> Source;
   vtkWeakPointer<vtkSMProxy> Shown;  // the model, in place of the result
   vtkWeakPointer<vtkSMProxy> Hidden; // the result

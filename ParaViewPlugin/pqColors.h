@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the display of a surface is colored by, and how: by the numbers of an array, through a
+/// color map and with a legend, or by an array of colors as they are.
+#ifndef pqColors_h
+#define pqColors_h
+
+#include <QByteArray>
+
+class vtkSMPVRepresentationProxy;
+class vtkSMViewProxy;
+
+namespace pqColors
+{
+struct Choice
+{
+  QByteArray Array; // empty: one color everywhere
+  int Association = 0;
+  bool Legend = false;
+};
+
+Choice get(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view);
+void set(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const Choice& choice);
+
+/// Whether the array that is shown has colors: bytes, three or four to a point or cell.
+bool areShown(vtkSMPVRepresentationProxy* display);
+
+/// Whether its numbers go through a color map. If not, the array must have colors.
+bool areMapped(vtkSMPVRepresentationProxy* display);
+void setMapped(vtkSMPVRepresentationProxy* display, bool mapped);
+}
+
+#endif
