@@ -32,16 +32,17 @@ pqTargetSphereWidget::pqTargetSphereWidget(
   vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parentWidget)
   : pqPropertyWidget(smproxy, parentWidget)
   , CenterPosition(smgroup->GetProperty("CenterPosition"))
-  , Badge(new QLabel(this))
+  , Statement(new QLabel(this))
   , ShowSphere(new pqSettingCheckBox("ShowTargetSphere", tr("Show Target Sphere"), false, this))
 {
   this->setShowLabel(false);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(this->Statement);
   layout->addWidget(this->ShowSphere);
-  layout->addWidget(this->Badge, 0, Qt::AlignLeft);
-  this->Badge->setObjectName("CenterPosition");
-  this->Badge->setToolTip(pqPropertyWidget::getTooltip(this->CenterPosition));
+  this->Statement->setObjectName("CenterPosition");
+  this->Statement->setWordWrap(true);
+  this->Statement->setToolTip(pqPropertyWidget::getTooltip(this->CenterPosition));
   this->ShowSphere->setToolTip(tr("Show the sphere that the model is rounded to, while the filter "
                                   "is selected."));
   this->connect(this->ShowSphere, SIGNAL(toggled(bool)), SLOT(updateSphere()));
@@ -57,14 +58,14 @@ pqTargetSphereWidget::pqTargetSphereWidget(
     this->Timer.connect(source, SIGNAL(dataUpdated(pqPipelineSource*)), SLOT(start()));
   }
   this->Observers[this->CenterPosition] = this->CenterPosition->AddObserver(
-    vtkCommand::ModifiedEvent, this, &pqTargetSphereWidget::updateBadge);
+    vtkCommand::ModifiedEvent, this, &pqTargetSphereWidget::updateStatement);
   for (vtkSMProperty* mode :
     { smproxy->GetProperty("CenterMode"), smproxy->GetProperty("RadiusMode") })
   {
     this->Observers[mode] = mode->AddObserver(
       vtkCommand::UncheckedPropertyModifiedEvent, this, &pqTargetSphereWidget::startCustom);
   }
-  this->updateBadge();
+  this->updateStatement();
 }
 
 pqTargetSphereWidget::~pqTargetSphereWidget()
@@ -110,14 +111,14 @@ void pqTargetSphereWidget::refresh()
   this->updateSphere();
 }
 
-void pqTargetSphereWidget::updateBadge()
+void pqTargetSphereWidget::updateStatement()
 {
   const QString text = vtkSMPropertyHelper(this->CenterPosition).GetAsString();
-  this->Badge->setText(tr("Center ") + text.toLower());
-  this->Badge->setVisible(!text.isEmpty());
-  this->Badge->setStyleSheet(
-    QString("padding: 1px 8px; border-radius: 4px; color: white; background: %1;")
-      .arg(text == "Outside" ? "#b35900" : "#2e7d32"));
+  this->Statement->setText(tr("The center is %1 the model.").arg(text.toLower()));
+  this->Statement->setVisible(!text.isEmpty());
+  QFont font = this->font();
+  font.setBold(text == "Outside");
+  this->Statement->setFont(font);
 }
 
 void pqTargetSphereWidget::startCustom(vtkObject* mode, unsigned long, void*)

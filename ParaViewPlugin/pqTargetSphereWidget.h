@@ -49,7 +49,7 @@ private Q_SLOTS:
   void updateSphere();
 
 private:
-  void updateBadge();
+  void updateStatement();
   void startCustom(vtkObject* mode, unsigned long, void*);
   pqPipelineSource* executedSource() const;
   bool isSphereWanted() const;
@@ -57,7 +57,7 @@ private:
   void addToView(bool add);
 
   vtkSmartPointer<vtkSMProperty> CenterPosition;
-  QLabel* Badge;
+  QLabel* Statement;
   pqSettingCheckBox* ShowSphere;
   QTimer Timer;
   std::map<vtkSmartPointer<vtkSMProperty>, unsigned long> Observers;
