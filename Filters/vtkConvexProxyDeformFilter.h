@@ -217,8 +217,8 @@ public:
 
   ///@{
   /**
-   * Where the center O of the target sphere lies: PointMean (default; mean of the proxy's points),
-   * AreaCentroid (of the proxy's surface) or Custom (Center).
+   * Where the center O of the target sphere lies: AreaCentroid (default; of the proxy's surface),
+   * PointMean (mean of the proxy's points; thesis) or Custom (Center).
    */
   vtkSetRangeMacro(CenterMode, int, POINT_MEAN, CUSTOM_CENTER);
   vtkGetMacro(CenterMode, int);
@@ -456,7 +456,7 @@ private:
   int NumberOfProxyPoints = 5000;
   int Seed = 0;
   double Roundness = 5.0;
-  int CenterMode = POINT_MEAN;
+  int CenterMode = AREA_CENTROID;
   double Center[3] = { 0.0, 0.0, 0.0 };
   int RadiusMode = EQUAL_AREA;
   double Radius = 1.0;

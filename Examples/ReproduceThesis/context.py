@@ -17,7 +17,7 @@ SETTINGS = {
         "Roundness": 0.5, "NormalBlend": 0.0, "NormalRadius": 1, "DetailSize": 0.0, "SphericalWeighting": 0,
         "CenterMode": 0, "KeepSize": 0, "RefineLongEdges": 0, "OutputPointsPrecision": 1},
     "vtkNonlinearStyleFilter": {"Roundness": 0.5, "CenterMode": 0, "OutputPointsPrecision": 1},
-    "vtkConvexProxyDeformFilter": {"RefineLongEdges": 0},
+    "vtkConvexProxyDeformFilter": {"CenterMode": 0, "RefineLongEdges": 0},
 }
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 

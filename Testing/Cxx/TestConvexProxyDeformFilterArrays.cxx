@@ -12,17 +12,23 @@ using namespace FilterTesting;
 
 namespace
 {
-/// MoveOfCentroid of the proxy since its rest.
-double MoveOfProxy(vtkPolyData* proxy)
+/// The proxy before it was rounded.
+Surface RestOf(vtkPolyData* proxy)
 {
   vtkNew<vtkPoints> places;
   places->SetData(PointArray(proxy, "RestPosition"));
-  vtkNew<vtkPolyData> rest;
+  auto rest = Surface::New();
   rest->ShallowCopy(proxy);
   rest->SetPoints(places);
+  return rest;
+}
+
+/// MoveOfCentroid of the proxy since its rest.
+double MoveOfProxy(vtkPolyData* proxy)
+{
   std::vector<vtkIdType> points(proxy->GetNumberOfPoints());
   std::iota(points.begin(), points.end(), 0);
-  return MoveOfCentroid(rest, proxy, points);
+  return MoveOfCentroid(RestOf(proxy), proxy, points);
 }
 
 /// Tolerance for two evaluations of one formula in double, of the diagonal.
@@ -580,18 +586,24 @@ void Facts(Checker& check)
   check(filter->GetTrianglesTurnedOver() == 0, "no triangle should turn over");
   check(filter->GetProjectionCaseCounts()[0] == 0 && filter->GetProjectionError() == 0.0,
     "cases are for NearestVertices");
-  Vector mean = { 0.0, 0.0, 0.0 };
-  vtkDataArray* rest = PointArray(filter.Output(1), "RestPosition");
-  const vtkIdType n = rest->GetNumberOfTuples();
-  for (vtkIdType i = 0; i < n; ++i)
+  const Surface rest = RestOf(filter.Output(1));
+  const std::vector<double> areas = PointAreas(rest);
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  Vector centroid = { 0.0, 0.0, 0.0 };
+  for (std::size_t i = 0; i < areas.size(); ++i)
   {
     for (int k = 0; k < 3; ++k)
     {
-      mean[k] += rest->GetComponent(i, k) / static_cast<double>(n);
+      centroid[k] += areas[i] / area * PointOf(rest, static_cast<vtkIdType>(i))[k];
     }
   }
   Vector center;
   filter->GetEffectiveCenter(center.data());
+  check.AtMost(Distance(centroid, center), 1e-12, "center off the centroid of the proxy");
+  filter->SetCenterModeToPointMean();
+  filter.Output();
+  filter->GetEffectiveCenter(center.data());
+  const Vector mean = MeanPoint(rest, 0, rest->GetNumberOfPoints());
   check.AtMost(Distance(mean, center), 1e-12, "center off the mean point of the proxy");
   filter->SetRadiusModeToCustom();
   filter->SetRadius(3.25);

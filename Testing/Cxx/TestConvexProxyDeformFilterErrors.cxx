@@ -22,7 +22,7 @@ void Repair(vtkConvexProxyDeformFilter* filter, vtkPolyData* input)
 {
   filter->SetProxyMesherToIsotropicRemeshing();
   filter->SetRoundness(5.0);
-  filter->SetCenterModeToPointMean();
+  filter->SetCenterModeToAreaCentroid();
   filter->SetRadiusModeToEqualArea();
   filter->SetProjectionToClosestPoint();
   filter->SetBlendFunctionToConstant();

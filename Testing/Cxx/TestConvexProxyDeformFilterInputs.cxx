@@ -776,7 +776,7 @@ void Properties(Checker& check)
   RoundTrip(NumberOfProxyPoints, 5000, 100);
   RoundTrip(Seed, 0, 17);
   RoundTrip(Roundness, 5.0, 3.0);
-  RoundTrip(CenterMode, 0, 2);
+  RoundTrip(CenterMode, 1, 2);
   RoundTrip(RadiusMode, 0, 2);
   RoundTrip(Radius, 1.0, 7.0);
   RoundTrip(HullOf, 1, 0);

@@ -261,7 +261,7 @@ private:
     back("another mesher", [&] { filter->SetProxyMesherToIsotropicRemeshing(); });
     filter->SetCenterModeToCustom();
     filter->SetCenter(Model->GetPoint(0));
-    back("another center", [&] { filter->SetCenterModeToPointMean(); });
+    back("another center", [&] { filter->SetCenterModeToAreaCentroid(); });
     filter->SetProjection(Projection == 2 ? 0 : 2);
     back("another projection", [&] { filter->SetProjection(Projection); });
     filter->SetAxisGain(1.0, 2.0, 1.0);
