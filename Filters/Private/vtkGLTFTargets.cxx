@@ -19,13 +19,12 @@
 using Json = vtkGLTFDocument::Json;
 using Use = vtkGLTFDocument::Use;
 using vtkGLTFScene::Placement;
+using vtkRoundnessTargets::Rows;
 using vtkRoundnessTargets::Target;
 using vtkRoundnessTargets::Targets;
 
 namespace
 {
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-
 constexpr double AnimationSeconds = 2.0;
 
 std::string MeshName(std::size_t mesh)
@@ -345,12 +344,7 @@ void vtkGLTFTargets::Add(vtkGLTFDocument& document, const vtkGLTFScene::Scene& s
     }
     ++node;
   }
-  vtkDataArray* const array = targets.Model->GetPointData()->GetNormals();
-  Rows normals(array ? array->GetNumberOfTuples() : 0, 3);
-  for (Eigen::Index i = 0; array && i < normals.rows(); ++i)
-  {
-    array->GetTuple(i, normals.row(i).data());
-  }
+  const Rows normals = vtkRoundnessTargets::RowsOf(targets.Model->GetPointData()->GetNormals());
   for (const Placement& placement : scene.Placements)
   {
     for (const Target& target : targets.All)

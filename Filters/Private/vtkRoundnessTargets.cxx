@@ -25,6 +25,8 @@
 
 using vtkRoundnessTargets::Options;
 using vtkRoundnessTargets::RoundnessOf;
+using vtkRoundnessTargets::Rows;
+using vtkRoundnessTargets::RowsOf;
 using vtkRoundnessTargets::SliderOf;
 using vtkRoundnessTargets::Target;
 using vtkRoundnessTargets::Targets;
@@ -131,24 +133,12 @@ private:
   std::string Error;
 };
 
-using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-
-Points RowsOf(vtkDataArray* array)
-{
-  Points rows(array ? array->GetNumberOfTuples() : 0, 3);
-  for (Eigen::Index i = 0; i < rows.rows(); ++i)
-  {
-    array->GetTuple(i, rows.row(i).data());
-  }
-  return rows;
-}
-
-Points PlacesOf(vtkPolyData* surface)
+Rows PlacesOf(vtkPolyData* surface)
 {
   return RowsOf(surface->GetPoints()->GetData());
 }
 
-Points NormalsOf(vtkPolyData* surface)
+Rows NormalsOf(vtkPolyData* surface)
 {
   return RowsOf(surface->GetPointData()->GetNormals());
 }
@@ -201,7 +191,7 @@ public:
     {
       return {};
     }
-    const Points after = NormalsOf(this->Filter.Execute(RoundnessOf(slider)));
+    const Rows after = NormalsOf(this->Filter.Execute(RoundnessOf(slider)));
     return (after - NormalsOf(this->Model)).cast<float>();
   }
 
@@ -234,7 +224,7 @@ public:
 private:
   bool WithNormals;
   std::function<void(double)> Progress;
-  Points Places;
+  Rows Places;
   double Diagonal = 1.0;
   std::map<double, Vectors> Known;
 };
@@ -368,6 +358,16 @@ double vtkRoundnessTargets::SliderOf(double roundness)
 {
   const double mu = std::sqrt(3.0) * roundness;
   return mu / (1.0 + mu);
+}
+
+Rows vtkRoundnessTargets::RowsOf(vtkDataArray* array)
+{
+  Rows rows(array ? array->GetNumberOfTuples() : 0, 3);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+  {
+    array->GetTuple(i, rows.row(i).data());
+  }
+  return rows;
 }
 
 double vtkRoundnessTargets::RoundnessOf(double slider)

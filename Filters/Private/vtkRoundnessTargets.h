@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkPolyData;
 class vtkSphericalStyleFilter;
 
@@ -34,6 +35,10 @@ struct Options
 
 /// One vector per point; files have single precision, too.
 using Vectors = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// The vectors of an array, one per row; none without an array.
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+Rows RowsOf(vtkDataArray* array);
 
 /// What all points do at one place of the slider, against the model.
 struct Target
