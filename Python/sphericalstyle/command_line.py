@@ -68,7 +68,7 @@ def add_properties(parser):
     """Gives the parser an option for each property and array of the filter."""
     shape = parser.add_argument_group("shape")
     names = "; ".join(f"{name}: {preset.description.lower()}" for name, preset in presets.PRESETS.items())
-    shape.add_argument("--preset", type=str.capitalize, choices=presets.PRESETS, metavar="NAME",
+    shape.add_argument("--preset", type=_preset, metavar="NAME",
                        help=f"set the properties below as in a preset; those that are also given replace its values."
                             f" {names}")
     more = parser.add_argument_group("more properties of the filter")
@@ -94,6 +94,14 @@ def add_properties(parser):
     for keyword in ARRAYS:
         if keyword not in properties():
             arrays.add_argument(_option(keyword), metavar="ARRAY", dest=keyword, help=words[keyword])
+
+
+def _preset(text):
+    """For argparse, which says the message of this exception, and of no ValueError."""
+    try:
+        return presets.name_of(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error).partition(": ")[2]) from None
 
 
 def _help_of(property_):

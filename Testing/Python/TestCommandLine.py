@@ -25,6 +25,7 @@ from vtkmodules.vtkIOGeometry import vtkOBJReader
 import sphericalstyle as ss
 from sphericalstyle import model_files, presets, properties
 from sphericalstyle.command_line import make_parser
+from SurfaceTesting import points
 
 program, manual, data, output = sys.argv[1], *map(pathlib.Path, sys.argv[2:5])
 shutil.rmtree(output, ignore_errors=True)
@@ -53,10 +54,6 @@ def refused(words, *arguments, code=2):
     done = run(*arguments)
     assert done.returncode == code and "Traceback" not in done.stderr, (arguments, done)
     assert words in done.stderr.splitlines()[-1], (words, done.stderr)
-
-
-def points(surface):
-    return vtk_to_numpy(surface.GetPoints().GetData())
 
 
 def rounded(surface, **keywords):
@@ -210,7 +207,7 @@ refused("cannot write files .doc; known: .byu", creature, output / "x.doc")
 refused("OUTPUT has to be another file", creature, creature)
 refused("--normal-blend must be 0 to 1; it is 3", creature, output / "x.ply", "--normal-blend", 3)
 refused("--roundness must be finite and 0 or more; it is -1", creature, output / "x.ply", "--roundness", -1)
-refused("invalid choice: 'Toyy'", creature, output / "x.ply", "--preset", "Toyy")
+refused("argument --preset: there is no preset 'Toyy', only Soft, Toy, ", creature, output / "x.ply", "--preset", "Toyy")
 refused('--keep-size must be "Off", "Area"', creature, output / "x.ply", "--keep-size", "Mass")
 refused("did you mean '--roundness'?", creature, output / "x.ply", "--roundnes", 2)
 refused("ends in .json or .csv", creature, output / "x.ply", "--report", output / "x.txt")

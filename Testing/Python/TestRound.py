@@ -8,6 +8,7 @@ PAGE: of the documentation; its examples in Python are run.
 import ast
 import contextlib
 import doctest
+import functools
 import inspect
 import io
 import os
@@ -23,28 +24,15 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import FilterTable
+import SurfaceTesting
 import sphericalstyle as ss
 from sphericalstyle import meshes, model_files, presets, properties, rounding
+from SurfaceTesting import faces, points
 
 data = os.path.abspath(sys.argv[1])
-
-
-def read(name):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(os.path.join(data, name))
-    reader.Update()
-    return reader.GetOutput()
-
-
-def points(surface):
-    return vtk_to_numpy(surface.GetPoints().GetData())
-
-
-def faces(surface):
-    return vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+read = functools.partial(SurfaceTesting.read, data)
 
 
 def filtered(surface, prepare=lambda style: None, **values):

@@ -4,6 +4,7 @@
 
 usage: TestStyleGLTFWriter.py DATA_FOLDER
 """
+import functools
 import os
 import sys
 import tempfile
@@ -14,26 +15,17 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkStripper
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPointSource, vtkSphereSource
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import GLTFFiles
+import SurfaceTesting
 import sphericalstyle as ss
+from SurfaceTesting import points
 
 data = os.path.abspath(sys.argv[1])
+read = functools.partial(SurfaceTesting.read, data)
 folder = tempfile.mkdtemp()
 MU = 3 ** 0.5
 warnings.simplefilter("ignore", ss.StyleWarning)  # of thin parts
-
-
-def read(name):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(os.path.join(data, name))
-    reader.Update()
-    return reader.GetOutput()
-
-
-def points(surface):
-    return vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
 
 
 def diagonal(P):
