@@ -31,6 +31,9 @@ constexpr double LeastAgreement = 0.2;
 /// The base counts in full where smoothing takes 1 to within 1 %, and not where it is off by 3 %.
 constexpr double MostKnown = 1.5;
 constexpr double LossOfKnown = 50.0;
+/// Of the area that a place usually has in B': what is smaller makes details give way less, so that
+/// they never jump.
+constexpr double LeastArea = 0.2;
 /// Smooth share of yielding places below which their say fades: how far from a crease details give
 /// way.
 constexpr double FewYields = 0.01;
@@ -194,8 +197,8 @@ public:
   Points JointMoves(const ClosedFormOptions& o, const std::vector<Points>& targets) const;
   void BlendBase(const ClosedFormOptions& o, Points& targets) const;
   void CarryDetails(const ClosedFormOptions& o, Points moved);
-  void Yield(const ClosedFormOptions& o, const Points& moved, const Points& turned,
-    const Eigen::VectorXd& areas);
+  void Yield(
+    const ClosedFormOptions& o, const Points& moved, const Fields& S, const Points& ofBase);
   void Place(const ClosedFormOptions& o, ClosedFormReport& report);
 };
 
@@ -516,7 +519,15 @@ void ClosedFormStyle::State::BlendBase(const ClosedFormOptions& o, Points& targe
     });
 }
 
-/// P' = B' + R (P - B) [carry]
+/// c, what is kept of details where their rotation is hardly determined [carry].
+/// @param R  the rotation closest to S
+double CertainShare(const Eigen::Matrix3d& S, const Eigen::Matrix3d& R)
+{
+  const double c = RotationCertainty(S, R);
+  return c * c * (3.0 - 2.0 * c);
+}
+
+/// P' = B' + c R (P - B) [carry]
 /// @param moved  B'
 void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o, Points moved)
 {
@@ -573,52 +584,51 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o, Points mov
       for (int i = 0; i < count; ++i)
       {
         const Eigen::Vector3d detail = (P0.row(begin + i) - base.B.row(begin + i)).transpose();
-        this->Result.positions.row(begin + i) = moved.row(begin + i) + (R[i] * detail).transpose();
+        const double kept = CertainShare(Eigen::Map<const Eigen::Matrix3d>(at.row(i).data()), R[i]);
+        this->Result.positions.row(begin + i) =
+          moved.row(begin + i) + kept * (R[i] * detail).transpose();
       }
       if (o.keepRotations)
       {
         std::copy(R.begin(), R.end(), this->Result.rotations.begin() + begin);
       }
     });
-  // The area vectors turned with the details, and what of them B' has.
-  const Fields atSamples = grid.AtSamples(smooth, o.threads);
-  Points turned(samples, 3);
-  Eigen::VectorXd areas(samples);
+  this->Yield(o, moved, grid.AtSamples(smooth, o.threads), after);
+}
+
+/// Details give way where they would fold: in creases, where the base becomes narrow and they do
+/// not [carry].
+/// @param moved  B' @param S  covariances of the samples @param ofBase  area vectors of B'
+void ClosedFormStyle::State::Yield(
+  const ClosedFormOptions& o, const Points& moved, const Fields& S, const Points& ofBase)
+{
+  const SurfaceGrid& grid = this->Base->Grid;
+  const Points& atRest = grid.GetAreaVectors();
+  const Points carried =
+    grid.AreaVectorsUnder(grid.Gradients(this->Result.positions, o.threads), o.threads);
+  const double usual = ofBase.rowwise().norm().sum() / atRest.rowwise().norm().sum();
+  const int samples = grid.GetNumberOfSamples();
+  Fields yields = Fields::Zero(samples, 2); // y and y^2
   ParallelFor(samples, o.threads,
     [&](int begin, int end)
     {
       for (int k = begin; k < end; ++k)
       {
-        const Eigen::Vector3d N = grid.GetAreaVectors().row(k);
-        turned.row(k) =
-          ClosestRotation(Eigen::Map<const Eigen::Matrix3d>(atSamples.row(k).data())) * N;
-        areas(k) = turned.row(k).dot(after.row(k));
+        const Eigen::Map<const Eigen::Matrix3d> covariance(S.row(k).data());
+        const Eigen::Matrix3d R = ClosestRotation(covariance);
+        const Eigen::Vector3d normal = R * atRest.row(k).transpose();
+        const double a = ofBase.row(k).dot(normal);
+        const double gap = SmallestStretch * a - carried.row(k).dot(normal);
+        const double least = LeastArea * usual * normal.squaredNorm();
+        if (gap > 0.0 && a > -least)
+        {
+          const double way = std::max(gap + (1.0 - SmallestStretch) * a, -SmallestStretch * a);
+          const double y = CertainShare(covariance, R) * std::min(1.0, 1.0 + a / least) *
+            std::min(1.0, gap / least) * std::min(1.0, gap / way);
+          yields.row(k) << y, y * y;
+        }
       }
     });
-  this->Yield(o, moved, turned, areas);
-}
-
-/// Details give way where they would fold: in creases, where the base becomes narrow and they do
-/// not [carry].
-/// @param moved  B' @param turned  area vectors of the samples, turned @param areas  of the base,
-/// along them
-void ClosedFormStyle::State::Yield(const ClosedFormOptions& o, const Points& moved,
-  const Points& turned, const Eigen::VectorXd& areas)
-{
-  const SurfaceGrid& grid = this->Base->Grid;
-  const Points carried =
-    grid.AreaVectorsUnder(grid.Gradients(this->Result.positions, o.threads), o.threads);
-  Fields yields = Fields::Zero(areas.size(), 2); // y and y^2
-  for (Eigen::Index k = 0; k < areas.size(); ++k)
-  {
-    const double least = SmallestStretch * areas(k);
-    const double area = turned.row(k).dot(carried.row(k));
-    if (areas(k) > 0.0 && area < least)
-    {
-      const double y = (least - area) / (areas(k) - area);
-      yields.row(k) << y, y * y;
-    }
-  }
   if (yields.isZero(0.0))
   {
     return;

@@ -63,7 +63,7 @@ struct ClosedFormResult
 /// Nothing iterates, and nothing is factored that is as large as the mesh.
 ///
 ///     T_i = O + (1 - a) r d_i + a rho_i n_i            B'_i = B_i + mu / (1 + mu) (T_i - B_i)
-///     P'_i = B'_i + R_i (P_i - B_i)
+///     P'_i = B'_i + c_i R_i (P_i - B_i)
 ///
 /// The stages of its State, with their keys, are what a change redoes; all that is in no key redoes
 /// targets, rotations and the sum.
@@ -83,10 +83,16 @@ struct ClosedFormResult
 ///
 ///     smooth_s(smooth_s(G'_k G_k^T + N' N^T / (w_k sqrt(|N'| |N|)))).
 ///
+/// It is not determined where det S_i < 0 and the two smaller singular values are equal; c_i is 1
+/// but there, where it goes to 0: the smoothstep of RotationCertainty.
+///
 /// Details give way where they would fold: with a_k the area of B' in sample k
-/// along the turned normal R_k N_k and b_k that of P', y_k = (a_k / 2 - b_k) / (a_k - b_k) where
-/// b_k < a_k / 2, else 0, P'_i moves toward B'_i by the share smooth_s(y^2)_i / (smooth_s(y)_i +
-/// .01): the mean of y where it is not 0, which fades where few such places are near.
+/// along the turned normal R_k N_k, b_k that of P', and g_k = a_k / 2 - b_k > 0, the share that
+/// brings b_k to a_k / 2 is y_k = min(1, g_k / max(a_k - b_k, -a_k / 2)), else 0. It fades with
+/// c_k, and where a_k < 0 or g_k is small beside the usual u_k = .2 |N_k|^2 sum |N'| / sum |N|:
+/// times clamp(1 + a_k / u_k, 0, 1) and min(1, g_k / u_k). P'_i moves toward B'_i by the share
+/// smooth_s(y^2)_i / (smooth_s(y)_i + .01): the mean of y where it is not 0, which fades where few
+/// such places are near. Nothing jumps while an option changes.
 ///
 /// With OwnThickness rho is bounded by the largest radius of all centers. What is outside of the
 /// region takes part in base, normals, rotations and thickness, but not in mean, size and ground.

@@ -5,6 +5,7 @@
 #include "Parallel.h"
 #include "Vector4.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -80,6 +81,19 @@ Eigen::Matrix3d ClosestRotation(const Eigen::Matrix3d& S)
     }
   }
   return ClosestRotationSVD(S);
+}
+
+double RotationCertainty(const Eigen::Matrix3d& S, const Eigen::Matrix3d& R)
+{
+  if (!(S.determinant() < 0.0))
+  {
+    return 1.0;
+  }
+  // R S is symmetric, with the eigenvalues s1, s2 and -s3.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> stretch(R * S, Eigen::EigenvaluesOnly);
+  const double s3 = -stretch.eigenvalues()(0);
+  const double s2 = stretch.eigenvalues()(1);
+  return s3 < s2 ? (s2 - s3) / (s2 + s3) : 0.0;
 }
 
 namespace

@@ -20,6 +20,11 @@ Eigen::Matrix3d ClosestRotationSVD(const Eigen::Matrix3d& S);
 /// orthonormal to 1e-10.
 Eigen::Matrix3d ClosestRotation(const Eigen::Matrix3d& S);
 
+/// How well determined the closest rotation is, 0 to 1: with the singular values s1 >= s2 >= s3 of
+/// S, 1 where det S >= 0, else (s2 - s3) / (s2 + s3). At 0 it turns by 180 degrees.
+/// @param R  ClosestRotation(S)
+double RotationCertainty(const Eigen::Matrix3d& S, const Eigen::Matrix3d& R);
+
 /// Replaces R by the closest rotations of S (n each). The closed form is worked out for eight cells
 /// at a time; what it does not reach goes through ClosestRotation.
 /// @return the change of the energy, -2 sum tr((R_new - R_old) S), length^2, <= 0

@@ -76,6 +76,19 @@ Matrix3 RotationOf(const Matrix3& S)
   return svd.matrixV() * signs.asDiagonal() * svd.matrixU().transpose();
 }
 
+/// What is kept of details that the rotation of S turns: less where det S < 0 and the two smaller
+/// singular values come close, since the rotation flips where they are equal.
+double KeptShare(const Matrix3& S)
+{
+  const Vector values = Eigen::JacobiSVD<Matrix3>(S).singularValues();
+  if (S.determinant() >= 0.0)
+  {
+    return 1.0;
+  }
+  const double c = (values(1) - values(2)) / (values(1) + values(2));
+  return c * c * (3.0 - 2.0 * c);
+}
+
 /// Nine numbers as a 3 x 3 matrix, row by row.
 Matrix3 MatrixOf(const Matrix& rows, Eigen::Index k)
 {
@@ -1068,7 +1081,9 @@ public:
     for (int i = 0; i < this->Count(); ++i)
     {
       this->R[i] = RotationOf(MatrixOf(ofPoints, i));
-      this->Positions.row(i) += (this->R[i] * (RowOf(this->P, i) - RowOf(base.B, i))).transpose();
+      const Vector detail = RowOf(this->P, i) - RowOf(base.B, i);
+      this->Positions.row(i) +=
+        KeptShare(MatrixOf(ofPoints, i)) * (this->R[i] * detail).transpose();
     }
     this->Yield(grid, H, smooth, moved);
   }
@@ -1079,6 +1094,15 @@ public:
   {
     const Matrix ofSamples = grid.AtSamples(smooth);
     const Matrix carried = grid.Gradients(this->Positions);
+    double area = 0.0, areaOfBase = 0.0;
+    for (const DenseGrid::Sample& sample : grid.Samples)
+    {
+      area += sample.areaVector.norm();
+    }
+    for (std::size_t k = 0; k < grid.Samples.size(); ++k)
+    {
+      areaOfBase += (Cofactors(MatrixOf(H, k)) * grid.Samples[k].areaVector).norm();
+    }
     Matrix yields = Matrix::Zero(grid.Samples.size(), 1);
     for (std::size_t k = 0; k < grid.Samples.size(); ++k)
     {
@@ -1086,11 +1110,27 @@ public:
       const Vector turned = RotationOf(MatrixOf(ofSamples, k)) * N;
       const double ofBase = turned.dot(Cofactors(MatrixOf(H, k)) * N);
       const double ofAll = turned.dot(Cofactors(MatrixOf(carried, k)) * N);
-      if (ofBase > 0.0 && ofAll < 0.5 * ofBase)
+      if (ofAll >= 0.5 * ofBase)
       {
-        // The share x of details at which ofBase + (1 - x)(ofAll - ofBase) is half of ofBase.
-        yields(k, 0) = (0.5 * ofBase - ofAll) / (ofBase - ofAll);
+        continue;
       }
+      // The share of details to give up: all of them if the base itself faces backward and is the
+      // better one. Else the x at which ofBase + (1 - x)(ofAll - ofBase) is half of ofBase, if the
+      // base faces forward; between the two, what is linear from one to the other.
+      double x = 1.0;
+      if (ofBase >= 0.0)
+      {
+        x = (0.5 * ofBase - ofAll) / (ofBase - ofAll);
+      }
+      else if (ofAll > ofBase)
+      {
+        x = 2.0 * ofAll / ofBase - 1.0;
+      }
+      // None where nothing is as large as .2 of what is usual.
+      const double little = 0.2 * areaOfBase / area * N.squaredNorm();
+      const double forward = std::max(0.0, std::min(1.0, 1.0 + ofBase / little));
+      const double missing = std::min(1.0, (0.5 * ofBase - ofAll) / little);
+      yields(k, 0) = KeptShare(MatrixOf(ofSamples, k)) * forward * missing * x;
     }
     if (yields.maxCoeff() == 0.0)
     {

@@ -156,6 +156,30 @@ void TestRotationsRecovered()
   std::cout << "recovered rotations to " << worst << std::endl;
 }
 
+/// 1 where det S >= 0, else (s2 - s3) / (s2 + s3) of singular values that are known.
+void TestCertainty()
+{
+  Meshes::Random random(7);
+  for (int i = 0; i < 200; ++i)
+  {
+    const double s3 = 0.1 * (i % 9);
+    const double s2 = s3 + 0.05 * (i % 5);
+    const Matrix3d turned =
+      random.Rotation() * Vector3d(s2 + 0.3, s2, s3).asDiagonal() * random.Rotation();
+    const Matrix3d mirrored =
+      random.Rotation() * Vector3d(s2 + 0.3, s2, -s3).asDiagonal() * random.Rotation();
+    CHECK(s3 == 0.0 || RotationCertainty(turned, ClosestRotation(turned)) == 1.0,
+      "a rotation near to a turned shape is certain");
+    if (s3 > 0.0)
+    {
+      CHECK_NEAR(RotationCertainty(mirrored, ClosestRotation(mirrored)), (s2 - s3) / (s2 + s3),
+        1e-9, "the certainty of a mirrored shape's rotation");
+    }
+  }
+  const Matrix3d none = Matrix3d::Zero();
+  CHECK(RotationCertainty(none, ClosestRotation(none)) == 1.0, "nothing to turn is certain");
+}
+
 bool SameBits(const Matrices& A, const Matrices& B)
 {
   for (std::size_t i = 0; i < A.size(); ++i)
@@ -222,6 +246,7 @@ int main()
   TestClosestRotation();
   TestEightAtATime();
   TestRotationsRecovered();
+  TestCertainty();
   TestFitRotations();
   std::cout << "largest difference of tr(R S) / |S| from the SVD " << WorstTrace
             << ", of R^T R from I " << WorstOrthonormal << std::endl;
