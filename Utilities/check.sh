@@ -46,7 +46,7 @@ done
 
 [ -z "$quick" ] || [ -z "$tidy" ] || { usage >&2; exit 2; }
 
-tools=(git clang-format codespell shellcheck mkdocs)
+tools=(git clang-format codespell mkdocs pyflakes3 shellcheck)
 [ -n "$quick" ] || tools+=(clang-tidy cmake g++)
 missing=()
 for tool in "${tools[@]}"; do
@@ -140,6 +140,14 @@ scripts()
   return "$wrong"
 }
 
+# Names that Python would not find. LoadPlugin makes SphericalStyle.
+names()
+{
+  files '*.py'
+  pyflakes3 "${found[@]}" >"$scratch/names"
+  ! grep "undefined name '" "$scratch/names" | grep -v "'SphericalStyle'" >&2
+}
+
 yaml()
 {
   files '*.yml' '*.yaml' '*.cff'
@@ -187,6 +195,7 @@ if [ -z "$tidy" ]; then
   check "format" format
   check "spelling" spelling
   check "scripts" scripts
+  check "Python names" names
   check "YAML" yaml
   check "documentation" documentation
   check "columns" columns

@@ -5,6 +5,7 @@ from PIL import Image
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
 
 import measures
+import surfaces
 from sphericalstyle import model_pictures
 
 ROWS = 4  # models a sheet
