@@ -90,7 +90,7 @@ public:
   ///@{
   /**
    * How far a point may be from where the Style has it, between two targets, as a fraction of the
-   * diagonal of the model's bounds. Where the result itself jumps, it changes within 1/256 of the
+   * diagonal of the model's bounds. Where the result changes faster, it does so within 1/256 of the
    * slider instead. Range 0.00001..1. Default 0.001.
    */
   vtkSetClampMacro(Tolerance, double, 0.00001, 1.0);
@@ -109,8 +109,8 @@ public:
   /**
    * Facts of the last file: the number of targets; the largest distance from the Style's result
    * that was found between two of them, as a fraction of the diagonal, where the result changes
-   * steadily, and where it jumps (within 1/256 of the slider; 0 without jumps); whether one target
-   * is all results.
+   * steadily, and where it changes faster (within 1/256 of the slider; 0 if nowhere); whether one
+   * target is all results.
    */
   vtkGetMacro(NumberOfTargets, int);
   vtkGetMacro(LargestError, double);

@@ -18,7 +18,7 @@ class Slider(NamedTuple):
     """What write_slider() has written."""
     targets: int  #: number of morph targets
     error: float  #: largest distance from the filter's result that was found, as a share of the model's diagonal
-    jump: float  #: the same where the filter's result itself jumps; 0 without jumps
+    jump: float  #: the same where the result changes faster than targets can follow; 0 if nowhere
     linear: bool  #: one target is all results
 
 

@@ -79,7 +79,7 @@ flat = GLTFFiles.numbers(root, binary, root["meshes"][0]["primitives"][0]["attri
 assert np.allclose(np.linalg.norm(flat, axis=1), 1, atol=1e-6)
 
 # --------------------------------------------------------------------------------------------------- several targets
-# The filter's result may jump on the way; there the slider passes from before to after within 1/256 of its range.
+# The filter's result may change fast on the way; the slider has no targets closer than 1/256 of its range.
 print("with details: tolerance, targets, largest error and jump that were found; between them: median, next to largest")
 for preset, tolerances in (("Toy", (0.01, 0.003, 0.001)), ("Ball", (0.001,)), ("Pebble", (0.001,)), ("Puffy", (0.003,))):
     counts = []
@@ -104,10 +104,8 @@ for preset, tolerances in (("Toy", (0.01, 0.003, 0.001)), ("Ball", (0.001,)), ("
         print(f"  {preset} {tolerance}: {slider.targets}, {slider.error:.2g}, {slider.jump:.2g};"
               f" {np.median(worst):.2g}, {worst[-2]:.2g}, {worst[-1]:.2g}")
         counts.append(slider.targets)
-        if preset == "Puffy":  # jumps so often that the number of targets is at its limit
-            assert slider.targets <= 32 and slider.jump > 0
-        else:
-            assert slider.error <= tolerance and worst[-1] <= 1.1 * tolerance, worst
+        assert slider.targets <= 32
+        assert slider.error <= tolerance and worst[-1] <= 1.1 * tolerance, worst
     assert counts == sorted(counts), counts
 
 # ------------------------------------------------------------------------------------------------ kinds of surfaces
