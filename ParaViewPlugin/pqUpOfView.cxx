@@ -15,8 +15,6 @@
 
 #include <QComboBox>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 pqUpOfView::pqUpOfView(vtkPVXMLElement* xml, pqPropertyWidget* widget)
@@ -73,11 +71,14 @@ void pqUpOfView::setAxis()
   {
     return;
   }
-  std::array<double, 3> up{};
-  shown->GetActiveCamera()->GetViewUp(up.data());
-  const auto longest = std::max_element(
-    up.begin(), up.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-  this->OwnAxis = static_cast<double>(longest - up.begin());
+  double up[3];
+  shown->GetActiveCamera()->GetViewUp(up);
+  int axis = 0;
+  for (int k = 1; k < 3; ++k)
+  {
+    axis = std::abs(up[k]) > std::abs(up[axis]) ? k : axis;
+  }
+  this->OwnAxis = axis;
   pqShownValue::set(widget->property(), this->OwnAxis);
   Q_EMIT widget->changeAvailable();
 }
