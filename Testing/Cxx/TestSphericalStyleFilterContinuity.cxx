@@ -72,9 +72,9 @@ void TestContinuity(Checker& check, vtkPolyData* model, const Case& set)
   style->SetNormalRadius(set.normalRadius);
   style->SetRefineLongEdgesToOff();
   std::vector<Result> results;
-  for (double roundness = 0.1; roundness < 4.0; roundness += 0.1)
+  for (int step = 1; step < 40; ++step)
   {
-    results.push_back(At(style, roundness));
+    results.push_back(At(style, 0.1 * step));
   }
   std::vector<std::pair<double, std::size_t>> moves;
   for (std::size_t i = 0; i + 1 < results.size(); ++i)
