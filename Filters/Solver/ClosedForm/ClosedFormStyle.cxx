@@ -39,6 +39,14 @@ constexpr double LeastArea = 0.2;
 constexpr double FewYields = 0.01;
 using Gradient = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
+/// c, what is kept of details where their rotation is hardly determined [carry].
+/// @param R  the rotation closest to S
+double CertainShare(const Eigen::Matrix3d& S, const Eigen::Matrix3d& R)
+{
+  const double c = RotationCertainty(S, R);
+  return c * c * (3.0 - 2.0 * c);
+}
+
 struct BaseKey
 {
   double detailSize;
@@ -517,14 +525,6 @@ void ClosedFormStyle::State::BlendBase(const ClosedFormOptions& o, Points& targe
         targets.row(i) = B.row(i) + share * (targets.row(i) - B.row(i));
       }
     });
-}
-
-/// c, what is kept of details where their rotation is hardly determined [carry].
-/// @param R  the rotation closest to S
-double CertainShare(const Eigen::Matrix3d& S, const Eigen::Matrix3d& R)
-{
-  const double c = RotationCertainty(S, R);
-  return c * c * (3.0 - 2.0 * c);
 }
 
 /// P' = B' + c R (P - B) [carry]

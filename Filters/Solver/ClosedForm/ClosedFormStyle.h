@@ -83,8 +83,8 @@ struct ClosedFormResult
 ///
 ///     smooth_s(smooth_s(G'_k G_k^T + N' N^T / (w_k sqrt(|N'| |N|)))).
 ///
-/// It is not determined where det S_i < 0 and the two smaller singular values are equal; c_i is 1
-/// but there, where it goes to 0: the smoothstep of RotationCertainty.
+/// It is not determined where det S_i < 0 and the two smaller singular values are equal. c_i, the
+/// smoothstep of RotationCertainty, is 1 where det S_i >= 0 and goes to 0 toward such a place.
 ///
 /// Details give way where they would fold: with a_k the area of B' in sample k
 /// along the turned normal R_k N_k, b_k that of P', and g_k = a_k / 2 - b_k > 0, the share that
@@ -92,7 +92,7 @@ struct ClosedFormResult
 /// c_k, and where a_k < 0 or g_k is small beside the usual u_k = .2 |N_k|^2 sum |N'| / sum |N|:
 /// times clamp(1 + a_k / u_k, 0, 1) and min(1, g_k / u_k). P'_i moves toward B'_i by the share
 /// smooth_s(y^2)_i / (smooth_s(y)_i + .01): the mean of y where it is not 0, which fades where few
-/// such places are near. Nothing jumps while an option changes.
+/// such places are near. P' does not jump while lambda changes.
 ///
 /// With OwnThickness rho is bounded by the largest radius of all centers. What is outside of the
 /// region takes part in base, normals, rotations and thickness, but not in mean, size and ground.
