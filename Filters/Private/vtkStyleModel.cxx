@@ -54,5 +54,6 @@ vtkStyleModel::Solved vtkStyleModel::Refine(vtkAlgorithm* self, vtkPolyData* inp
   mesh->FannedPolygons = this->Surface->FannedPolygons;
   mesh->FirstFannedPolygon = this->Surface->FirstFannedPolygon;
   solved.Surface = mesh;
+  solved.SplitShare = this->LongEdgeShare;
   return solved;
 }

@@ -36,6 +36,8 @@ public:
     vtkSmartPointer<vtkPolyData> Model;
     vtkSmartPointer<vtkSelection> Selection; ///< or nullptr
     std::shared_ptr<const vtkSurfaceMesh> Surface;
+    /// Share of the area that was in triangles with long edges, 0..1; 0 where none were split.
+    double SplitShare = 0.0;
 
     /// The mesh, as long as anybody has it: solvers recognize it by that.
     std::shared_ptr<const SphericalStyle::TriangleMesh> ShareMesh() const

@@ -4,6 +4,7 @@
 /// every execution, in method and table alike, and changes nothing.
 #include "FilterTesting.h"
 
+#include "vtkCubeSource.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
@@ -170,6 +171,22 @@ void Advice(Checker& check)
   Expect(check, "large triangles found", filter, "");
   filter->SetRefineLongEdgesToOn();
   Expect(check, "large triangles split", filter, "");
+
+  // A bar of twelve triangles. The advice is followed, and neither it nor its opposite comes.
+  vtkNew<vtkCubeSource> bar;
+  bar->SetXLength(3.0);
+  bar->Update();
+  filter->SetInputData(bar->GetOutput());
+  filter->SetDetailSize(0.06);
+  filter->SetRoundness(1.0);
+  for (const double normalBlend : { 0.0, 0.6, 1.0 })
+  {
+    filter->SetNormalBlend(normalBlend);
+    filter->SetDetailSize(0.06);
+    Expect(check, "flat panels", filter, "DetailSize 0: 100 % of the area is flat panels");
+    filter->SetDetailSize(0.0);
+    Expect(check, "flat panels without details", filter, "");
+  }
   filter->SetRefineLongEdgesToOff();
   filter->SetInputData(vtkNew<vtkPolyData>());
   Expect(check, "empty input", filter, "");

@@ -32,6 +32,9 @@ constexpr double AreaFactorLimit = 2.0;
 constexpr double FacingAwayLimit = 0.3;
 /// As much bent in and out again as a ball is bent; animals have 9 or more, a box 1.
 constexpr double CurvatureLimit = 2.0;
+/// Brackets, plates and prisms are all panels; cars, houses and devices have a tenth to nine tenths
+/// of them, but also CurvatureLimit, and without their details triangles turn over.
+constexpr double PanelLimit = 0.5;
 /// Less than that and a face is no longer read: lambda 1.2 with one center.
 constexpr double ReliefLimit = 1.0 / 3.0;
 
@@ -348,6 +351,9 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
     { result.facingAwayShare >= FacingAwayLimit && !usesNormals,
       "NormalBlend " + Number(Limbs) + ": " + Percent(result.facingAwayShare) +
         " of the surface faces away from the center" },
+    { o.detailSize > 0.0 && surface.curvature < CurvatureLimit && choices.splitShare >= PanelLimit,
+      "DetailSize 0: " + Percent(choices.splitShare) +
+        " of the area is flat panels, and their edges stay sharp as details" },
   };
   const auto* const rule =
     std::find_if(std::begin(rules), std::end(rules), [](const Rule& r) { return r.applies; });

@@ -55,6 +55,8 @@ struct AdviceChoices
 {
   bool avoidFolds = true; ///< AvoidSelfIntersections is there and off
   bool refine = true;     ///< RefineLongEdges is off
+  /// Share of the area that had long edges before they were split, 0..1; 0 where none were.
+  double splitShare = 0.0;
 };
 
 /// The one change that helps most, and the fact that says so, as "Property Value: fact", in one

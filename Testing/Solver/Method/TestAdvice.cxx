@@ -295,6 +295,16 @@ void TestOrder()
   expect("NormalBlend 0.6: 46 % of the surface faces away from the center");
   result.facingAwayShare = 0.2;
   expect("");
+  // Panels that were split, of a body that is simple and has its details kept.
+  choices.splitShare = 0.67;
+  expect("");
+  options.detailSize = 0.06;
+  expect("DetailSize 0: 67 % of the area is flat panels, and their edges stay sharp as details");
+  surface.curvature = 2.0;
+  expect("");
+  surface.curvature = 1.5;
+  choices.splitShare = 0.49;
+  expect("");
 }
 }
 
