@@ -5,6 +5,7 @@
 #include "BlendFunction.h"
 #include "ProxyDeformation.h"
 #include "vtkFilterSupport.h"
+#include "vtkMovedSurface.h"
 #include "vtkPoissonDisk.h"
 #include "vtkProxyOutputs.h"
 #include "vtkStyleModel.h"
@@ -208,8 +209,7 @@ int vtkConvexProxyDeformFilter::Execute(
   }
 
   output->ShallowCopy(model.Model);
-  Conversion::ReplacePoints(output, surface, deformation.GetPositions(),
-    this->OutputPointsPrecision, this->GenerateNormals);
+  vtkMovedSurface::Fill(this, output, surface, deformation.GetPositions());
   const Conversion::Rows t = options.t.leftCols(perAxis ? 3 : 1);
   Conversion::AddPointArray(output, surface, "t", VTK_DOUBLE, t);
   Conversion::AddDisplacement(output, model.Model);

@@ -3,6 +3,7 @@
 #include "vtkLocalTermAlgorithm.h"
 
 #include "vtkFilterSupport.h"
+#include "vtkMovedSurface.h"
 #include "vtkStyleHistory.h"
 #include "vtkSurfaceMeshConversion.h"
 
@@ -68,8 +69,7 @@ int vtkLocalTermAlgorithm::Execute(
     Q = this->Internal->Solver.GetPositions();
   }
   output->ShallowCopy(input);
-  vtkSurfaceMeshConversion::ReplacePoints(
-    output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);
+  vtkMovedSurface::Fill(this, output, surface, Q);
   vtkSurfaceMeshConversion::AddDisplacement(output, input);
   this->AddArrays(*term, surface, output);
   vtkStyleHistory::Fill(vtkTable::GetData(outputVector, 1), report, this->GetTermName());

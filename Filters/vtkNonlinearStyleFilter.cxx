@@ -4,6 +4,7 @@
 
 #include "NonlinearFeature.h"
 #include "vtkFilterSupport.h"
+#include "vtkMovedSurface.h"
 #include "vtkStyleArrays.h"
 #include "vtkStyleHistory.h"
 #include "vtkSurfaceMeshConversion.h"
@@ -111,8 +112,7 @@ int vtkNonlinearStyleFilter::Execute(
   }
 
   output->ShallowCopy(input);
-  Conversion::ReplacePoints(output, surface, solved ? solver.GetPositions() : Points(0, 3),
-    this->OutputPointsPrecision, this->GenerateNormals);
+  vtkMovedSurface::Fill(this, output, surface, solved ? solver.GetPositions() : Points(0, 3));
   Conversion::AddDisplacement(output, input);
   if (this->GenerateCellEnergy)
   {

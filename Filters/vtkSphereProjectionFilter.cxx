@@ -4,6 +4,7 @@
 
 #include "SphereProjection.h"
 #include "vtkFilterSupport.h"
+#include "vtkMovedSurface.h"
 #include "vtkSurfaceMeshConversion.h"
 #include "vtkTargetSphere.h"
 
@@ -92,7 +93,7 @@ int vtkSphereProjectionFilter::Execute(
   const Points Q = SphericalStyle::ProjectToSphere(
     surface.Mesh.P, sphere, this->Coefficient, ThreadsToUse(this->NumberOfThreads), onCenter);
   output->ShallowCopy(input);
-  Conversion::ReplacePoints(output, surface, Q, this->OutputPointsPrecision, this->GenerateNormals);
+  vtkMovedSurface::Fill(this, output, surface, Q);
   Conversion::AddDisplacement(output, input);
   if (!onCenter.empty())
   {

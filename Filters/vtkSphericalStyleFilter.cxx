@@ -5,6 +5,7 @@
 #include "SphericalStyleMethod.h"
 #include "vtkFilterSupport.h"
 #include "vtkFoldGuard.h"
+#include "vtkMovedSurface.h"
 #include "vtkProcesses.h"
 #include "vtkStyleArrays.h"
 #include "vtkStyleHistory.h"
@@ -166,7 +167,7 @@ bool vtkSphericalStyleFilter::WorksOnParts(
     static_cast<double>(this->CenterMode), this->Center[0], this->Center[1], this->Center[2],
     static_cast<double>(this->RadiusMode), this->Radius, this->DetailSize,
     static_cast<double>(this->RefineLongEdges), this->GenerateRotation ? 1.0 : 0.0,
-    this->GenerateNormals ? 1.0 : 0.0 };
+    this->GenerateNormals ? 1.0 : 0.0, this->TransformAllInputVectors ? 1.0 : 0.0 };
   const std::vector<double> all = processes.Concatenate(own);
   own.front() = 0.0;
   bool works = true;
@@ -238,8 +239,7 @@ int vtkSphericalStyleFilter::Execute(vtkInformationVector** inputVector,
   }
 
   output->ShallowCopy(e.Model.Model);
-  vtkSurfaceMeshConversion::ReplacePoints(
-    output, e.Surface(), e.Q, this->OutputPointsPrecision, this->GenerateNormals);
+  vtkMovedSurface::Fill(this, output, e.Surface(), e.Q);
   this->AttachArrays(*internal, e, output);
   internal->Solver.ForgetResult(); // the review needs memory, and none of it
   this->SetFacts(e);
@@ -388,12 +388,8 @@ void vtkSphericalStyleFilter::AttachArrays(
   const vtkSurfaceMesh& surface = e.Surface();
   const int type = output->GetPoints()->GetDataType();
   const bool solved = e.HasTriangles();
-  if (this->GenerateTargetDirection)
-  {
-    const Points none(0, 3);
-    AddPointArray(
-      output, surface, "TargetDirection", type, solved ? internal.Solver.GetDirections() : none);
-  }
+  AddPointArray(output, surface, "TargetDirection", type,
+    solved ? internal.Solver.GetDirections() : Points(0, 3));
   if (this->GenerateDisplacement)
   {
     vtkSurfaceMeshConversion::AddDisplacement(output, e.Model.Model);
@@ -448,11 +444,10 @@ void vtkSphericalStyleFilter::Review(Internals& internal, const Execution& e)
   {
     return;
   }
-  const vtkStyleReview::Remarks remarks =
-    internal.Review.Review(e.Surface(), internal.Solver.GetMeshGeneration(), e.Q, e.Options,
-      e.Report,
-      { !this->AvoidSelfIntersections, this->RefineLongEdges == vtkLongEdges::NEVER,
-        e.Model.SplitShare });
+  const vtkStyleReview::Remarks remarks = internal.Review.Review(e.Surface(),
+    internal.Solver.GetMeshGeneration(), e.Q, e.Options, e.Report,
+    { !this->AvoidSelfIntersections, this->RefineLongEdges == vtkLongEdges::NEVER,
+      e.Model.SplitShare });
   Warn(this, remarks.Thinned);
   this->Advice =
     this->ReproduceThesis || !e.IsFirst() ? "" : remarks.Advice; // the thesis is to be as it is
@@ -482,7 +477,6 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RefineLongEdges: " << this->RefineLongEdges << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "ReproduceThesis: " << OnOff(this->ReproduceThesis) << "\n";
-  os << indent << "GenerateTargetDirection: " << OnOff(this->GenerateTargetDirection) << "\n";
   os << indent << "GenerateDisplacement: " << OnOff(this->GenerateDisplacement) << "\n";
   os << indent << "GenerateRotation: " << OnOff(this->GenerateRotation) << "\n";
   os << indent << "EffectiveCenter: " << Triple(this->EffectiveCenter) << "\n";

@@ -435,15 +435,6 @@ public:
 
   ///@{
   /**
-   * Add the point array TargetDirection. Default on.
-   */
-  vtkSetMacro(GenerateTargetDirection, bool);
-  vtkGetMacro(GenerateTargetDirection, bool);
-  vtkBooleanMacro(GenerateTargetDirection, bool);
-  ///@}
-
-  ///@{
-  /**
    * Add the point array Displacement. Default on.
    */
   vtkSetMacro(GenerateDisplacement, bool);
@@ -571,7 +562,6 @@ private:
   int RefineLongEdges = WHERE_COARSE;
   double MaximumEdgeLength = 0.04;
   bool ReproduceThesis = false;
-  bool GenerateTargetDirection = true;
   bool GenerateDisplacement = true;
   bool GenerateRotation = false;
 

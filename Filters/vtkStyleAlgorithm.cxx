@@ -20,4 +20,7 @@ void vtkStyleAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "GenerateNormals: " << vtkFilterSupport::OnOff(this->GenerateNormals) << "\n";
+  os << indent
+     << "TransformAllInputVectors: " << vtkFilterSupport::OnOff(this->TransformAllInputVectors)
+     << "\n";
 }

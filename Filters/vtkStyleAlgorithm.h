@@ -51,6 +51,19 @@ public:
   vtkBooleanMacro(GenerateNormals, bool);
   ///@}
 
+  ///@{
+  /**
+   * Turn vectors and tensors with the surface [vectors], as vtkTransformFilter does: arrays of
+   * points and cells of floating-point numbers with 3 components (R v), and with 9 or 6 (R T R^T; 6
+   * are xx, yy, zz, xy, yz, xz). R is the rotation of the surface at a point, and of a cell the one
+   * closest to the mean of those of its points. Lengths stay. Active texture coordinates stay as
+   * they are, and so does what belongs to points at which no triangle moves. Default off.
+   */
+  vtkSetMacro(TransformAllInputVectors, bool);
+  vtkGetMacro(TransformAllInputVectors, bool);
+  vtkBooleanMacro(TransformAllInputVectors, bool);
+  ///@}
+
 protected:
   vtkStyleAlgorithm();
   ~vtkStyleAlgorithm() override;
@@ -61,6 +74,7 @@ protected:
   int OutputPointsPrecision = DEFAULT_PRECISION;
   int NumberOfThreads = 0;
   bool GenerateNormals = false;
+  bool TransformAllInputVectors = false;
 
 private:
   vtkStyleAlgorithm(const vtkStyleAlgorithm&) = delete;

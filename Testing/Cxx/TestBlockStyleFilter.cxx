@@ -23,6 +23,7 @@ void Properties(Checker& check)
   RoundTrip(NumberOfThreads, 0, 2);
   RoundTrip(OutputPointsPrecision, 2, 1);
   OnOff(GenerateNormals, false);
+  OnOff(TransformAllInputVectors, false);
   for (const double bad : { -1.0, NaN, HUGE_VAL })
   {
     ExpectError<FilterType>(
@@ -39,7 +40,8 @@ int TestBlockStyleFilter(int, char*[])
   Properties(check);
   CheckContract<FilterType>(check,
     { "Blockiness", "StopRule", "Tolerance", "MaximumNumberOfIterations", "OutputPointsPrecision",
-      "NumberOfThreads", "GenerateNormals", "NumberOfIterations", "Converged", "FinalEnergy" });
+      "NumberOfThreads", "GenerateNormals", "TransformAllInputVectors", "NumberOfIterations",
+      "Converged", "FinalEnergy" });
   CheckIteration<FilterType>(check, "Block");
   return check.Result();
 }

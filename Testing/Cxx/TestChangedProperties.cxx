@@ -226,7 +226,7 @@ void Energy(Checker& check, vtkPolyData* input)
     f->SetDetailSize(0.05);
     f->GenerateRotationOn();
     f->GenerateCellEnergyOn();
-    f->GenerateTargetDirectionOn();
+    f->TransformAllInputVectorsOn();
   };
   CheckChanges<Main>(check, "energy", input, begin,
     { { "another roundness", [](Main* f) { f->SetRoundness(3.0); } },

@@ -818,7 +818,7 @@ void Properties(Checker& check)
   OnOff(ReproduceThesis, false);
   RoundTrip(OutputPointsPrecision, vtkAlgorithm::DEFAULT_PRECISION, vtkAlgorithm::DOUBLE_PRECISION);
   RoundTrip(NumberOfThreads, 0, 2);
-  OnOff(GenerateTargetDirection, true);
+  OnOff(TransformAllInputVectors, false);
   OnOff(GenerateDisplacement, true);
   OnOff(GenerateNormals, false);
   OnOff(GenerateRotation, false);
@@ -886,7 +886,7 @@ void Properties(Checker& check)
     { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode", "Radius", "DetailSize",
       "SphericalWeighting", "EdgeWeighting", "StopRule", "Tolerance", "MaximumNumberOfIterations",
       "NormalRadius", "KeepSize", "KeepOnGround", "UpAxis", "RefineLongEdges", "MaximumEdgeLength",
-      "ReproduceThesis", "OutputPointsPrecision", "NumberOfThreads", "GenerateTargetDirection",
+      "ReproduceThesis", "OutputPointsPrecision", "NumberOfThreads", "TransformAllInputVectors",
       "GenerateDisplacement", "GenerateNormals", "GenerateRotation", "NumberOfIterations",
       "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius", "AvoidSelfIntersections",
       "TurnedOverBefore", "TurnedOverAfter", "NewIntersectionsBefore", "NewIntersectionsAfter" })

@@ -147,7 +147,7 @@ Subject MakeSphericalStyle(Bytes& bytes)
   bytes.Byte();
 #endif
   const int arrays = bytes.Byte();
-  f->SetGenerateTargetDirection(arrays & 1);
+  f->SetTransformAllInputVectors(arrays & 1);
   f->SetGenerateDisplacement(arrays & 2);
   f->SetGenerateCellEnergy(arrays & 4);
   f->SetGenerateRotation(arrays & 8);

@@ -309,7 +309,7 @@ def check_parts():
         "flat": flat,
         "flat, normals of the whole": {**flat, "NormalRadius": Style.WHOLE_MODEL_RADIUS, "GenerateRotation": True},
         "volume": {"KeepSize": Style.VOLUME, "KeepOnGround": True, "UpAxis": 2, "RadiusMode": Style.EQUAL_VOLUME,
-                   "CenterMode": Style.POINT_MEAN, "GenerateRotation": True},
+                   "CenterMode": Style.POINT_MEAN, "GenerateRotation": True, "TransformAllInputVectors": True},
         "flat, extent": {**flat, "KeepSize": Style.EXTENT, "CenterMode": Style.CUSTOM_CENTER,
                          "Center": (0.1, 0.5, 0.0), "NormalBlend": 0.2},
     }
