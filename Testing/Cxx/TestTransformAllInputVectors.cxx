@@ -260,7 +260,7 @@ void CheckClosest(Checker& check, vtkPolyData* rest, vtkPolyData* moved)
 
 Surface MakeModel()
 {
-  const Surface model = MakeEllipsoid({ 1.0, 0.7, 2.0 }, Faces::Triangles, 20, 15);
+  Surface model = MakeEllipsoid({ 1.0, 0.7, 2.0 }, Faces::Triangles, 20, 15);
   for (vtkIdType i = 0; i < model->GetNumberOfPoints(); ++i) // a head to one side
   {
     Vector p = PointOf(model, i);
