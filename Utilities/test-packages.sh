@@ -27,7 +27,8 @@ make_clean_debian()
   make_debian "$release"
   mkdir -p "$root/tmp/test"
   cp "$build"/packages/*.deb "$project"/Testing/Install/TestInstalled.py \
-    "$project"/Testing/Python/TestImport.py "$project"/Testing/XML/*.xml "$root/tmp/test"
+    "$project"/Testing/Python/TestImport.py "$project"/Testing/XML/*.xml \
+    "$project"/Testing/Window/*_window.py "$root/tmp/test"
   chown -R nobody "$root/tmp/test"
 }
 
@@ -74,7 +75,7 @@ remove_packages()
 
 try_paraview()
 {
-  local names script version
+  local names script version name beside
   names=$(sed -n 's/.*<SourceProxy .*name="\([A-Za-z]*\)".*/\1/p' "$project"/ParaViewPlugin/*.xml |
     sed 's/Filter$//')
   as_user /tmp/test pvpython TestInstalled.py /usr pvserver $names
@@ -86,7 +87,11 @@ try_paraview()
   with_screen pvpython --dr /usr/share/doc/sphericalstyle/examples/Python/round_model.py \
     /usr/share/doc/sphericalstyle/examples/creature.vtp --output /tmp/test/rounded
   for script in "$root"/tmp/test/*Window.xml; do
-    with_screen paraview --dr "--test-script=${script##*/}" --test-directory=/tmp/test --exit
+    name=${script##*/Test}
+    name=${name%Window.xml}
+    beside=() # a script that some need
+    [ ! -e "$root/tmp/test/${name,,}_window.py" ] || beside=("--script=${name,,}_window.py")
+    with_screen paraview --dr "${beside[@]}" "--test-script=${script##*/}" --test-directory=/tmp/test --exit
   done
 }
 
