@@ -46,7 +46,8 @@ def parse(default_processes):
     parser = argparse.ArgumentParser(description="Round all models of a folder.")
     parser.add_argument("models", type=pathlib.Path)
     parser.add_argument("output", type=pathlib.Path)
-    parser.add_argument("--preset", choices=presets.PRESETS, help="the properties that the others below change")
+    parser.add_argument("--preset", type=str.capitalize, choices=presets.PRESETS,
+                        help="the properties that the others below change")
     for name in ("--roundness", "--detail-size", "--normal-blend"):
         parser.add_argument(name, type=float, help="property of the filter; default: that of the filter")
     parser.add_argument("--processes", type=int, default=default_processes,
