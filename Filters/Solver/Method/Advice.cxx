@@ -35,6 +35,9 @@ constexpr double CurvatureLimit = 2.0;
 /// Brackets, plates and prisms are all panels; cars, houses and devices have a tenth to nine tenths
 /// of them, but also CurvatureLimit, and without their details triangles turn over.
 constexpr double PanelLimit = 0.5;
+/// Prisms have all of their curvature in corners, plates with round holes a third, round bodies of
+/// coarse panels none.
+constexpr double CornerLimit = 0.25;
 /// Less than that and a face is no longer read: lambda 1.2 with one center.
 constexpr double ReliefLimit = 1.0 / 3.0;
 
@@ -186,10 +189,11 @@ double MeasureRelief(const TriangleMesh& mesh, const SurfacePart& part, const Po
   return sums[0] > 0.0 ? std::sqrt(sums[1] / sums[0]) : 1.0;
 }
 
-/// Sum over the points of |2 pi - their angles| over 4 pi. Points on a border do not count: their
-/// triangles are no full turn, and then the numbers of the points around do not cancel.
-double AbsoluteCurvature(
-  const TriangleMesh& mesh, const SurfacePart& part, Eigen::VectorXd& angleSums)
+/// Curvature: sum over the points of |2 pi - their angles| over 4 pi. Points on a border do not
+/// count: their triangles are no full turn, and then the numbers of the points around do not
+/// cancel.
+void MeasureCurvature(const TriangleMesh& mesh, const SurfacePart& part, Eigen::VectorXd& angleSums,
+  SurfaceFacts& facts)
 {
   // Another number for each point, the same on all processes.
   Eigen::VectorXd number(mesh.P.rows());
@@ -214,14 +218,21 @@ double AbsoluteCurvature(
   }
   part.SumAtShared(balance.data(), 1);
   part.SumAtShared(angleSums.data(), 1);
-  double sum = 0.0;
+  double all = 0.0;
+  double corners = 0.0;
   for (Eigen::Index i = 0; i < angleSums.size(); ++i)
   {
-    sum += balance(i) == 0.0 && angleSums(i) > 0.0 && part.Counts(i)
-      ? std::abs(2.0 * Pi - angleSums(i))
-      : 0.0;
+    if (balance(i) == 0.0 && angleSums(i) > 0.0 && part.Counts(i))
+    {
+      const double own = std::abs(2.0 * Pi - angleSums(i));
+      all += own;
+      corners += own >= Corner ? own : 0.0;
+    }
   }
-  return part.Sum(sum) / (4.0 * Pi);
+  all = part.Sum(all);
+  corners = part.Sum(corners);
+  facts.curvature = all / (4.0 * Pi);
+  facts.cornerShare = all > 0.0 ? corners / all : 0.0;
 }
 }
 
@@ -272,7 +283,7 @@ SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components, const Surf
   facts.obtuseShare = part.Sum(facts.obtuseShare) / part.Sum(static_cast<double>(F.rows()));
   facts.longEdgeShare = LongEdgeShare(mesh, part);
   facts.areaFactor = part.IsWhole() ? std::exp(LogSpread(areas)) : 1.0;
-  facts.curvature = AbsoluteCurvature(mesh, part, angleSums);
+  MeasureCurvature(mesh, part, angleSums, facts);
   facts.components = components;
   return facts;
 }
@@ -351,7 +362,8 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
     { result.facingAwayShare >= FacingAwayLimit && !usesNormals,
       "NormalBlend " + Number(Limbs) + ": " + Percent(result.facingAwayShare) +
         " of the surface faces away from the center" },
-    { o.detailSize > 0.0 && surface.curvature < CurvatureLimit && choices.splitShare >= PanelLimit,
+    { o.detailSize > 0.0 && surface.curvature < CurvatureLimit &&
+        surface.cornerShare >= CornerLimit && choices.splitShare >= PanelLimit,
       "DetailSize 0: " + Percent(choices.splitShare) +
         " of the area is flat panels, and their edges stay sharp as details" },
   };

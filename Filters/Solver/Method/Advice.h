@@ -18,9 +18,13 @@ struct SurfaceFacts
   double areaFactor = 1.0;  ///< by which areas of triangles differ: exp of the deviation of the log
   double longEdgeShare = 0.0; ///< area of triangles with an edge of LongEdge diagonals or more
   double curvature = 0.0;     ///< integral of |Gaussian curvature| over 4 pi: 1 for convex bodies
+  double cornerShare = 0.0;   ///< of that integral at points of at least Corner
   int components = 0;
 };
 constexpr double LongEdge = 0.1;
+/// |Gaussian curvature| that makes a point a corner: half of what a corner of a box has. The points
+/// of a ball of 8 x 8 panels have a quarter of this.
+constexpr double Corner = Pi / 4.0;
 /// From this longEdgeShare on a model has coarse panels. Scans have none, the cut stem of a vase 17
 /// %, drawings of cars and devices half and more.
 constexpr double CoarseShare = 0.1;

@@ -110,10 +110,13 @@ void TestSurfaceFacts()
   CHECK(
     box.obtuseShare == 0.0 && box.longEdgeShare == 1.0, "a box has no obtuse triangle, long edges");
   CHECK_NEAR(box.curvature, 1.0, 1e-14, "curvature of a convex body");
+  CHECK_NEAR(box.cornerShare, 1.0, 1e-14, "all curvature of a box is in its corners");
   const Eigen::Array3d logarithms(std::log(2.0), std::log(3.0), std::log(6.0));
   CHECK_NEAR(box.areaFactor, std::exp(std::sqrt((logarithms - logarithms.mean()).square().mean())),
     1e-13, "areas of a box");
   const SurfaceFacts fine = MeasureSurface(Meshes::Box(40, { 1, 2, 3 }), 1);
+  CHECK_NEAR(fine.cornerShare, 1.0, 1e-9, "and so it is however fine the box");
+  CHECK(MeasureSurface(Meshes::Icosphere(2), 1).cornerShare == 0.0, "a ball has no corners");
   CHECK(fine.longEdgeShare == 0.0, "a fine box has no long edges: " << fine.longEdgeShare);
 
   const TriangleMesh house = Meshes::House();
@@ -297,12 +300,16 @@ void TestOrder()
   expect("");
   // Panels that were split, of a body that is simple and has its details kept.
   choices.splitShare = 0.67;
+  surface.cornerShare = 0.25;
   expect("");
   options.detailSize = 0.06;
   expect("DetailSize 0: 67 % of the area is flat panels, and their edges stay sharp as details");
   surface.curvature = 2.0;
   expect("");
   surface.curvature = 1.5;
+  surface.cornerShare = 0.24;
+  expect("");
+  surface.cornerShare = 0.25;
   choices.splitShare = 0.49;
   expect("");
 }
