@@ -255,12 +255,14 @@ bool AddLine(Results& results, Targets& targets)
   return true;
 }
 
-/// Splits the part of the slider with the largest error in its middle, until none is too large. At
-/// a jump that would not end: parts below the least width are left as they are.
+/// Splits the part of the slider with the largest error in its middle, until none is too large.
+/// Begins with even parts, for a bend to one side and the other has no error in its middle. At a
+/// jump that would not end: parts below the least width are left as they are.
 /// @return the middles of such parts
 std::vector<double> Sample(Results& results, double end, double tolerance, std::size_t most)
 {
   constexpr double leastWidth = 1.0 / 256;
+  constexpr int firstParts = 8;
   struct Part
   {
     double From, To, Error;
@@ -269,7 +271,11 @@ std::vector<double> Sample(Results& results, double end, double tolerance, std::
   const auto part = [&](double from, double to) {
     return Part{ from, to, results.Distance(from, (from + to) / 2.0, to) };
   };
-  std::vector<Part> open = { part(0.0, end) };
+  std::vector<Part> open;
+  for (int k = 0; k < firstParts; ++k)
+  {
+    open.push_back(part(end * k / firstParts, end * (k + 1) / firstParts));
+  }
   std::vector<double> jumps;
   while (!open.empty() && results.Computed().size() + 2 <= most)
   {

@@ -92,7 +92,7 @@ for preset, tolerances in (("Toy", (0.01, 0.003, 0.001)), ("Ball", (0.001,)), ("
         assert slider.targets == len(places) == told["numberOfTargets"] and not slider.linear
         assert slider.error == told["largestError"] and slider.jump == told["largestJump"]
         worst = []
-        for w in np.linspace(0, places[-1], 30 if tolerance == 0.001 else 9):
+        for w in np.linspace(0, places[-1], 9 if tolerance == 0.003 else 30):
             style.SetRoundness(w / (1 - w) / MU)
             style.Update()
             moved = GLTFFiles.points(root, binary, chain(places, w))
