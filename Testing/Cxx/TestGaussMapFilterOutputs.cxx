@@ -243,7 +243,7 @@ void Spheres(Checker& check)
 
         vtkDataArray* count = SphereArray(filter.Get(), "Count");
         vtkDataArray* density = SphereArray(filter.Get(), "Density");
-        const double normals = filter->GetNumberOfNormals();
+        const auto normals = static_cast<double>(filter->GetNumberOfNormals());
         check.AtMost(std::abs(Sum(count) - normals), 1e-9, "sum of the counts minus normals");
         double integral = 0.0;
         double entropy = 0.0;
@@ -349,8 +349,8 @@ void ImageAndTable(Checker& check)
 
   check.About("table");
   vtkTable* table = Table(filter.Get());
-  const std::vector<std::pair<std::string, double>> expected = { { "Normals",
-                                                                   filter->GetNumberOfNormals() },
+  const auto normals = static_cast<double>(filter->GetNumberOfNormals());
+  const std::vector<std::pair<std::string, double>> expected = { { "Normals", normals },
     { "UnitsHit", filter->GetUnitsHit() }, { "UnitsHitOften", filter->GetUnitsHitOften() },
     { "EqualAreaUnits", filter->GetNumberOfEqualAreaUnits() },
     { "EqualAreaUnitsHit", filter->GetEqualAreaUnitsHit() },
