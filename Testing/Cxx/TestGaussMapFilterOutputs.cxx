@@ -250,7 +250,8 @@ void Spheres(Checker& check)
         double distance = 0.0;
         for (vtkIdType i = 0; i < units; ++i)
         {
-          const double low = vtkMath::RadiansFromDegrees(static_cast<double>(i / 360) - 90.0);
+          const vtkIdType row = i / 360;
+          const double low = vtkMath::RadiansFromDegrees(static_cast<double>(row) - 90.0);
           const double solidAngle = kind == 0
             ? vtkMath::Pi() / 180.0 * (std::sin(low + vtkMath::Pi() / 180.0) - std::sin(low))
             : 4.0 * vtkMath::Pi() / static_cast<double>(number);

@@ -198,8 +198,9 @@ public:
             this->P, this->Rest.F, this->P.row(i), this->Normals.row(i), FirstHit::Nothing);
           hit.SkipPoint(i);
           this->Answers[k] = this->Search(hit);
-          this->Asked[k] = std::any_of(others.begin(), others.end(),
+          const bool asked = std::any_of(others.begin(), others.end(),
             [&hit](const Eigen::AlignedBox3d& box) { return hit.MayMeet(box); });
+          this->Asked[k] = asked ? 1 : 0;
         }
       });
   }
