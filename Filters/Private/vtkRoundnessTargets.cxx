@@ -272,6 +272,7 @@ std::vector<double> Sample(Results& results, double end, double tolerance, std::
     return Part{ from, to, results.Distance(from, (from + to) / 2.0, to) };
   };
   std::vector<Part> open;
+  open.reserve(firstParts);
   for (int k = 0; k < firstParts; ++k)
   {
     open.push_back(part(end * k / firstParts, end * (k + 1) / firstParts));
