@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What the output of every style filter has: the moved points, normals, and vectors that turn with
-/// the surface. Private.
+/// the surface [vectors]. Private.
 #ifndef vtkMovedSurface_h
 #define vtkMovedSurface_h
 
