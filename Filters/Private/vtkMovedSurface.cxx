@@ -168,7 +168,7 @@ void TurnVectors(vtkPolyData* output, const vtkSurfaceMesh& surface, const Point
         moves = moves || own;
         sum += own ? *own : Eigen::Matrix3d::Identity();
       }
-      mean = SphericalStyle::ClosestRotation(sum);
+      mean = SphericalStyle::ClosestRotation(sum.transpose()); // which is closest to its transpose
       return moves ? &mean : nullptr;
     });
 }

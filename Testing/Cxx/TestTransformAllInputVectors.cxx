@@ -217,16 +217,38 @@ std::vector<Matrix> EdgeSums(vtkPolyData* rest, vtkPolyData* moved)
   return sums;
 }
 
+/// Of each cell: sum of the rotations at its points.
+std::vector<Matrix> CornerSums(vtkPolyData* moved)
+{
+  std::vector<Matrix> sums(moved->GetNumberOfCells(), Matrix{});
+  vtkNew<vtkIdList> ids;
+  for (std::size_t c = 0; c < sums.size(); ++c)
+  {
+    moved->GetCellPoints(static_cast<vtkIdType>(c), ids);
+    for (const vtkIdType id : *ids)
+    {
+      const Matrix R = RotationAt(moved->GetPointData(), id);
+      for (int i = 0; i < 3; ++i)
+      {
+        for (int j = 0; j < 3; ++j)
+        {
+          sums[c][i][j] += R[i][j];
+        }
+      }
+    }
+  }
+  return sums;
+}
+
 /// R is the closest rotation to S if and only if R^T S is symmetric with a sum of any two
 /// eigenvalues of 0 or more: S turned back has no rotation left.
-void CheckClosest(Checker& check, vtkPolyData* rest, vtkPolyData* moved)
+void CheckClosest(Checker& check, vtkDataSetAttributes* arrays, const std::vector<Matrix>& S)
 {
-  const std::vector<Matrix> sums = EdgeSums(rest, moved);
   double skew = 0.0;
   bool nearest = true;
-  for (vtkIdType i = 0; i < rest->GetNumberOfPoints(); ++i)
+  for (std::size_t i = 0; i < S.size(); ++i)
   {
-    const Matrix R = RotationAt(moved->GetPointData(), i);
+    const Matrix R = RotationAt(arrays, static_cast<vtkIdType>(i));
     double H[3][3];
     double size = 0.0;
     for (int a = 0; a < 3; ++a)
@@ -236,7 +258,7 @@ void CheckClosest(Checker& check, vtkPolyData* rest, vtkPolyData* moved)
         H[a][b] = 0.0;
         for (int k = 0; k < 3; ++k)
         {
-          H[a][b] += R[k][a] * sums[i][k][b];
+          H[a][b] += R[k][a] * S[i][k][b];
         }
         size = std::max(size, std::abs(H[a][b]));
       }
@@ -295,7 +317,8 @@ void CheckFilter(Checker& check, const std::string& about, const SetUp& setUp)
   check(filter.Errors.empty(), "there should be no error");
   CheckArrays(check, output->GetPointData(), output->GetNumberOfPoints());
   CheckArrays(check, output->GetCellData(), output->GetNumberOfCells());
-  CheckClosest(check, model, output);
+  CheckClosest(check, output->GetPointData(), EdgeSums(model, output));
+  CheckClosest(check, output->GetCellData(), CornerSums(output));
   check(Tuple(model->GetPointData(), "Direction", 7) ==
       std::vector<double>(Direction.begin(), Direction.end()),
     "the input should stay as it is");
