@@ -92,7 +92,7 @@ for preset, tolerances in (("Toy", (0.01, 0.003, 0.001)), ("Ball", (0.001,)), ("
         assert slider.targets == len(places) == told["numberOfTargets"] and not slider.linear
         assert slider.error == told["largestError"] and slider.jump == told["largestJump"]
         worst = []
-        for w in np.linspace(0, places[-1], 9 if tolerance == 0.003 else 30):
+        for w in np.linspace(0, places[-1], {0.01: 62, 0.003: 9, 0.001: 30}[tolerance]):
             style.SetRoundness(w / (1 - w) / MU)
             style.Update()
             moved = GLTFFiles.points(root, binary, chain(places, w))
@@ -105,7 +105,7 @@ for preset, tolerances in (("Toy", (0.01, 0.003, 0.001)), ("Ball", (0.001,)), ("
               f" {np.median(worst):.2g}, {worst[-2]:.2g}, {worst[-1]:.2g}")
         counts.append(slider.targets)
         assert slider.targets <= 32
-        assert slider.error <= tolerance and worst[-1] <= 1.1 * tolerance, worst
+        assert slider.error <= tolerance and worst[-1] <= tolerance, worst
     assert counts == sorted(counts), counts
 
 # ------------------------------------------------------------------------------------------------ kinds of surfaces
