@@ -4,7 +4,9 @@
 import base64
 import copy
 import json
+import os
 import struct
+import urllib.parse
 
 import numpy as np
 
@@ -13,12 +15,18 @@ COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 
 
 def load(path):
-    """The JSON of a .glb or .gltf and the bytes of its buffer."""
+    """The JSON of a .glb or .gltf and the bytes of its buffers, one after the other."""
+    def content_of(uri):
+        if uri.startswith("data:"):
+            return base64.b64decode(uri.partition("base64,")[2])
+        with open(os.path.join(os.path.dirname(path), urllib.parse.unquote(uri)), "rb") as file:
+            return file.read()
+
     with open(path, "rb") as file:
         content = file.read()
     if content[:4] != b"glTF":
         root = json.loads(content)
-        return root, b"".join(base64.b64decode(b["uri"].partition("base64,")[2]) for b in root.get("buffers", []))
+        return root, b"".join(content_of(b["uri"])[:b["byteLength"]] for b in root.get("buffers", []))
     magic, version, length = struct.unpack("<4sII", content[:12])
     assert (version, length) == (2, len(content)) and length % 4 == 0
     size, kind = struct.unpack("<I4s", content[12:20])
@@ -31,18 +39,20 @@ def load(path):
     return root, binary
 
 
-def numbers(root, binary, accessor):
-    """The elements of an accessor, checked against what it says of them."""
+def numbers(root, binary, accessor, exact=True):
+    """The elements of an accessor, checked against what it says of them; bounds only where it is `exact`."""
     item = root["accessors"][accessor]
     view = root["bufferViews"][item["bufferView"]]
     components = COMPONENTS[item["type"]]
     first = view.get("byteOffset", 0) + item.get("byteOffset", 0)
     kind = np.dtype(TYPES[item["componentType"]])
+    sizes = [buffer["byteLength"] for buffer in root["buffers"]]
     assert "byteStride" not in view and first % kind.itemsize == 0
-    assert view.get("byteOffset", 0) + view["byteLength"] <= root["buffers"][0]["byteLength"] <= len(binary)
+    assert view.get("byteOffset", 0) + view["byteLength"] <= sizes[view["buffer"]] <= len(binary)
+    first += sum(sizes[:view["buffer"]])
     values = np.frombuffer(binary, kind, item["count"] * components, first).reshape(item["count"], components)
     for key, end in (("min", np.min), ("max", np.max)):
-        if key in item:
+        if exact and key in item:
             assert item[key] == end(values, axis=0).tolist(), (accessor, key)
     return values
 
@@ -55,6 +65,56 @@ def points(root, binary, weights, mesh=0, primitive=0, attribute="POSITION"):
     for weight, target in zip(weights, item["targets"]):
         result = result + weight * numbers(root, binary, target[attribute])
     return result
+
+
+def without_slider(root, binary, before):
+    """What is left of a file with a slider when all is taken away that the slider has added to `before`: both are JSON.
+    Equal to `before`, also in the order of keys, if nothing else has changed. `binary` is the buffer of `root`."""
+    def shortened(holder, key, had):
+        """A list as long as it was; removed where there was none."""
+        if key in holder:
+            holder[key] = holder[key][:len(had.get(key, []))]
+        if key not in had:
+            holder.pop(key, None)
+
+    left = copy.deepcopy(root)
+    for key in ("accessors", "bufferViews", "animations", "meshes"):
+        shortened(left, key, before)
+    for buffer, had in zip(left["buffers"], before["buffers"]):
+        buffer["byteLength"] = had["byteLength"]
+    left["buffers"] = left["buffers"][:len(before["buffers"])]
+    for mesh, had in zip(left["meshes"], before["meshes"]):
+        for primitive, own in zip(mesh["primitives"], had["primitives"]):
+            shortened(primitive, "targets", own)
+        shortened(mesh, "weights", had)
+        extras = mesh.get("extras", {})
+        extras.pop("sphericalStyle", None)
+        shortened(extras, "targetNames", had.get("extras", {}))
+        if "extras" not in had:
+            assert not extras
+            mesh.pop("extras", None)
+    counts = {}  # of targets, by node
+    for index, (node, had) in enumerate(zip(left.get("nodes", []), before.get("nodes", []))):
+        shortened(node, "weights", had)
+        if "mesh" not in had:
+            continue
+        counts[index] = [len(mesh["primitives"][0].get("targets", []))
+                         for mesh in (before["meshes"][had["mesh"]], root["meshes"][node["mesh"]])]
+        if node["mesh"] != had["mesh"]:  # shown more than once: each place has targets of its own
+            own, copied = (meshes["meshes"][item["mesh"]] for meshes, item in ((before, had), (root, node)))
+            assert node["mesh"] >= len(before["meshes"])
+            assert [primitive["attributes"] for primitive in own["primitives"]] \
+                == [primitive["attributes"] for primitive in copied["primitives"]]
+            node["mesh"] = had["mesh"]
+    for animation, had in zip(left.get("animations", []), before.get("animations", [])):
+        for channel in had["channels"]:
+            sampler, own = (item["samplers"][channel["sampler"]] for item in (animation, had))
+            if channel["target"]["path"] == "weights" and sampler["output"] != own["output"]:
+                few, many = counts[channel["target"]["node"]]
+                shown, was = (numbers(root, binary, item["output"], exact=False) for item in (sampler, own))
+                assert (shown.reshape(-1, many)[:, :few] == was.reshape(-1, few)).all()
+                sampler["output"] = own["output"]
+    return left
 
 
 class Maker:

@@ -5,6 +5,7 @@
 usage: TestStyleGLTFWriter.py DATA_FOLDER
 """
 import functools
+import json
 import os
 import sys
 import tempfile
@@ -265,10 +266,8 @@ for keywords in (dict(detail_size=0.0, keep_size="Off"), dict(preset="Toy")):
     before, old = GLTFFiles.load(source)
     size = before["buffers"][0]["byteLength"]
     assert binary[:size] == old[:size], "what was in the buffer is as it was"
-    # Taken away what is new, the JSON is the same, also in its order.
-    for key in ("accessors", "bufferViews", "animations", "meshes"):
-        root[key + "+"], root[key] = root[key][len(before[key]):], root[key][:len(before[key])]
-    root["buffers"][0]["byteLength"] = size
+    left = GLTFFiles.without_slider(root, binary, before)
+    assert left == before and json.dumps(left) == json.dumps(before), "the JSON is the same, also in its order"
     for k, (mesh, had) in enumerate(zip(root["meshes"], before["meshes"])):
         targets = had["primitives"][0].get("targets", [])
         assert mesh["extras"]["targetNames"][:len(targets)] == ["Grin"][:len(targets)]
@@ -279,38 +278,13 @@ for keywords in (dict(detail_size=0.0, keep_size="Off"), dict(preset="Toy")):
             assert primitive["targets"][:len(targets)] == targets and len(new) == n
             assert all(set(target) == {"POSITION", "NORMAL"} & set(own["attributes"]) for target in new)
         assert k != 0 or mesh["weights"][:1] == [0.25]
-    all_meshes = root["meshes"] + root["meshes+"]
-    places = all_meshes[0]["extras"]["sphericalStyle"].get("places")
-    stripped = {key: value for key, value in root.items() if not key.endswith("+")}
-    for mesh, had in zip(stripped["meshes"], before["meshes"]):
-        shown = {key: mesh[key] for key in had}
-        shown["primitives"] = [{key: primitive[key] for key in own}
-                               for primitive, own in zip(mesh["primitives"], had["primitives"])]
-        for primitive, own in zip(shown["primitives"], had["primitives"]):
-            if "targets" in own:
-                primitive["targets"] = primitive["targets"][:len(own["targets"])]
-        if "weights" in had:
-            shown["weights"] = mesh["weights"][:len(had["weights"])]
-        if "extras" in had:
-            shown["extras"] = {key: value for key, value in mesh["extras"].items() if key in had["extras"]}
-            shown["extras"]["targetNames"] = shown["extras"]["targetNames"][:len(had["extras"]["targetNames"])]
-        assert shown == had and list(shown) == list(had)
-    stripped["meshes"] = before["meshes"]
-    nodes = stripped["nodes"]
-    assert nodes[1]["weights"][0] == 0.5 and len(nodes[1]["weights"]) == 1 + n
-    nodes[1]["weights"] = [0.5]
-    assert nodes[4]["mesh"] == 4 and len(root["meshes+"]) == 1  # shown twice: each place moves in its own way
-    nodes[4]["mesh"] = 2
-    assert all_meshes[4]["primitives"][0]["attributes"] == before["meshes"][2]["primitives"][0]["attributes"]
-    smile = stripped["animations"][0]["samplers"][0]
-    everything = dict(root, accessors=root["accessors"] + root["accessors+"],
-                      bufferViews=root["bufferViews"] + root["bufferViews+"], meshes=all_meshes)
-    everything["buffers"] = [{"byteLength": len(binary)}]
-    output = GLTFFiles.numbers(everything, binary, smile["output"]).reshape(3, 1 + n)
-    assert output[:, 0].tolist() == [0, 1, 0] and (output[:, 1:] == np.float32(all_meshes[0]["weights"][1:])).all()
-    smile["output"] = before["animations"][0]["samplers"][0]["output"]
-    assert stripped == before and list(stripped) == list(before)
-    assert len(root["animations+"]) == (0 if n == 1 else 1)
+    places = root["meshes"][0]["extras"]["sphericalStyle"].get("places")
+    assert root["nodes"][1]["weights"][0] == 0.5 and len(root["nodes"][1]["weights"]) == 1 + n
+    assert root["nodes"][4]["mesh"] == 4 and len(root["meshes"]) == 5  # shown twice: each place moves in its own way
+    smile = root["animations"][0]["samplers"][0]
+    output = GLTFFiles.numbers(root, binary, smile["output"]).reshape(3, 1 + n)
+    assert output[:, 0].tolist() == [0, 1, 0] and (output[:, 1:] == np.float32(root["meshes"][0]["weights"][1:])).all()
+    assert len(root["animations"]) == (1 if n == 1 else 2)
 
     # In space, all meshes are rounded as one model: the filter's result of them.
     turn = np.array([[0.28, 0, 0.96], [0, 1, 0], [-0.96, 0, 0.28]])
@@ -326,13 +300,13 @@ for keywords in (dict(detail_size=0.0, keep_size="Off"), dict(preset="Toy")):
         for k in order:
             weights = [w] if n == 1 else chain(places, w)
             weights = [0] * (k == 0) + weights
-            local = GLTFFiles.points(everything, binary, weights, k if k < 3 else 4)
+            local = GLTFFiles.points(root, binary, weights, k if k < 3 else 4)
             found = local @ matrices[k].T + shifts[k]
             error = largest(found, rounded[k]) / diagonal(np.concatenate(world))
             assert error < (3e-6 if n == 1 else 0.0015), (k, w, error)
             seam = local.reshape(13, 25, 3)
             assert (seam[:, 0] == seam[:, -1]).all(), "the seam is shut"
-    line = GLTFFiles.points(everything, binary, [0.8] * n, 3)
+    line = GLTFFiles.points(root, binary, [0.8] * n, 3)
     assert (line == [[0, 0, 0], [0, 3, 0]]).all()
     print(f"scene with {n} target(s): JSON and buffer as before, points as the filter's")
 

@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Adds a slider to glTF files of others, and checks that nothing else changes.
+
+usage: gltf_files.py [--preset NAME] [--output FOLDER] FILE...
+
+For each file: its meshes, skins, targets and animations; the targets added, their error and jump, seconds, and what
+Khronos' validator says of the file before and after, if $SPHERICALSTYLE_GLTF_VALIDATOR is the folder node_modules that
+"npm install gltf-validator" makes. Ends with 1 if JSON or buffers have changed besides the targets, or if the validator
+finds an error that it has not found before. The models of https://github.com/KhronosGroup/glTF-Sample-Models will do.
+"""
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.parse
+import warnings
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Python"))
+import GLTFFiles
+import sphericalstyle as ss
+
+SCRIPT = """
+const validator = require(process.argv[1] + "/gltf-validator"), fs = require("fs"), path = require("path");
+Promise.all(process.argv.slice(2).map(file => validator.validateBytes(new Uint8Array(fs.readFileSync(file)), {
+  uri: path.basename(file), maxIssues: 0,
+  externalResourceFunction: uri => fs.promises.readFile(path.join(path.dirname(file), decodeURIComponent(uri)))
+    .then(bytes => new Uint8Array(bytes))
+}))).then(reports => console.log(JSON.stringify(reports.map(report => report.issues))));
+"""
+
+
+def issues(modules, files):
+    """The numbers of errors and warnings that the validator finds in each file; (-1, -1) without a validator."""
+    if not modules:
+        return [(-1, -1)] * len(files)
+    command = ["node", "-e", SCRIPT, os.path.abspath(modules), *map(os.path.abspath, files)]
+    reports = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
+    return [(report["numErrors"], report["numWarnings"]) for report in reports]
+
+
+def copied(path, folder):
+    """A folder of its own with the file and those that it refers to. @return the file there"""
+    place = os.path.join(folder, os.path.splitext(os.path.basename(path))[0])
+    root = GLTFFiles.load(path)[0]
+    uris = [item["uri"] for item in root.get("buffers", []) + root.get("images", []) if "uri" in item]
+    for name in [os.path.basename(path)] + [uri for uri in uris if not uri.startswith("data:")]:
+        name = urllib.parse.unquote(name)
+        to = os.path.join(place, name)
+        os.makedirs(os.path.dirname(to), exist_ok=True)
+        shutil.copyfile(os.path.join(os.path.dirname(path), name), to)
+    return os.path.join(place, os.path.basename(path))
+
+
+def check(path, folder, preset, modules):
+    path = copied(path, folder)
+    target = "-slider".join(os.path.splitext(path))
+    before, old = GLTFFiles.load(path)
+    start = time.perf_counter()
+    slider = ss.write_slider(target, path, preset=preset)
+    seconds = time.perf_counter() - start
+    root, binary = GLTFFiles.load(target)
+    size = before["buffers"][0]["byteLength"]
+    kept = binary[:size] == old[:size]
+    left = GLTFFiles.without_slider(root, binary, before)
+    changed = [key for key in {**left, **before} if left.get(key) != before.get(key)]
+    (errors, warnings_), (more_errors, more_warnings) = issues(modules, [path, target])
+    primitives = [primitive for mesh in before["meshes"] for primitive in mesh["primitives"]]
+    print(f"| {os.path.basename(path)} | {len(before['meshes'])} | {len(before.get('images', []))}"
+          f" | {len(before.get('skins', []))} | {max(len(p.get('targets', [])) for p in primitives)}"
+          f" | {len(before.get('animations', []))} | {slider.targets} | {slider.error:.2g} | {slider.jump:.2g}"
+          f" | {seconds:.2f} | {errors}, {warnings_} | {more_errors}, {more_warnings}"
+          f" | {'kept' if kept else 'CHANGED'} | {', '.join(changed) or 'kept'} |", flush=True)
+    return kept and not changed and more_errors <= errors
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--preset", default="Toy", help="default: %(default)s")
+    parser.add_argument("--output", metavar="FOLDER", help="keep the new files there")
+    parser.add_argument("files", nargs="+", metavar="FILE")
+    arguments = parser.parse_args()
+    warnings.simplefilter("ignore", ss.StyleWarning)  # of thin parts
+    folder = arguments.output or tempfile.mkdtemp()
+    os.makedirs(folder, exist_ok=True)
+    print("| file | meshes | images | skins | targets | animations | new targets | error | jump | seconds"
+          " | errors, warnings before | after | buffers | JSON |")
+    print("|---" * 14 + "|")
+    modules = os.environ.get("SPHERICALSTYLE_GLTF_VALIDATOR", "")
+    good = True
+    for path in arguments.files:
+        try:
+            good = check(path, folder, arguments.preset, modules) and good
+        except ss.Error as error:
+            print(f"| {os.path.basename(path)} | {error} |", flush=True)
+            good = False
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
