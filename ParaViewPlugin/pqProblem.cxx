@@ -250,11 +250,11 @@ void pqProblem::extractSurface()
     vtkSMPropertyHelper(item->getProxy(), "Input").Set(surface, 0);
     item->getProxy()->UpdateVTKObjects();
   }
-  END_UNDO_SET();
   item->getProxy()
     ->GetSessionProxyManager()
     ->GetSelectionModel("ActiveSources")
     ->SetCurrentProxy(item->getProxy(), vtkSMProxySelectionModel::CLEAR_AND_SELECT);
+  END_UNDO_SET();
   if (panel)
   {
     // When the panel is laid out without the note: executing paints it as it is.
