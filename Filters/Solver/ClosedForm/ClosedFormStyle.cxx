@@ -3,6 +3,7 @@
 #include "ClosedFormStyle.h"
 
 #include "CarriedDetails.h"
+#include "ClosedFormPreview.h"
 #include "LimbThickness.h"
 #include "Orientation.h"
 #include "Parallel.h"
@@ -93,6 +94,20 @@ struct CenterJoints
   Fields Shares; // n x centers
 };
 
+struct PreviewKey
+{
+  std::shared_ptr<const PreviewPlaces> places;
+  int base; // versions; 0 of what has no say
+  int normals;
+  int thickness;
+
+  bool operator==(const PreviewKey& other) const
+  {
+    return this->places == other.places && this->base == other.base &&
+      this->normals == other.normals && this->thickness == other.thickness;
+  }
+};
+
 struct LengthKey
 {
   KeepSize keep;
@@ -162,6 +177,7 @@ public:
   Stage<ThicknessKey, Eigen::VectorXd> Thickness;
   Stage<SphereKey, Sphere> WholeSphere; // of the whole base
   Stage<SharesKey, CenterJoints> Joints;
+  Stage<PreviewKey, ClosedFormPreview> Preview;
   // Of the last solve.
   Callback Asked;
   int Steps = 0;
@@ -630,6 +646,38 @@ ClosedFormReport ClosedFormStyle::Solve(const ClosedFormOptions& options, const 
   s.CarryDetails(options, std::move(moved));
   s.Step();
   s.Place(options, report);
+  report.carrySeconds = watch.Seconds();
+  return report;
+}
+
+ClosedFormReport ClosedFormStyle::Preview(const std::shared_ptr<const PreviewPlaces>& places,
+  const ClosedFormOptions& options, const Callback& callback)
+{
+  State& s = *this->S;
+  s.Start(callback);
+  ClosedFormReport report;
+  s.UpdateBase(options, report);
+  const Stopwatch watch;
+  report.spheres = s.Spheres(options);
+  const Sphere& sphere = report.spheres.front();
+  const bool limbs = options.normalBlend > 0.0;
+  const bool own = limbs && options.normalRadius == NormalRadius::OwnThickness;
+  const Points* normals = limbs ? &s.Normals(options) : nullptr;
+  if (own && s.Thickness.GetKey().base != s.Base.GetVersion())
+  {
+    s.UpdateThickness(options, sphere.radius);
+  }
+  s.Preview.Update({ places, s.Base.GetVersion(), limbs ? s.OwnNormals.GetVersion() : 0,
+                     own ? s.Thickness.GetVersion() : 0 },
+    [&](ClosedFormPreview& preview)
+    {
+      preview = {};
+      preview = ClosedFormPreview(
+        { *s.P, *s.F, s.GetBase(), s.Base->Grid, normals, own ? &s.Thickness.Get() : nullptr },
+        *places, options.threads);
+    });
+  s.Step();
+  s.Result = s.Preview->Solve(options, sphere, s.Base->Grid, s.Base->Slopes, report.scale);
   report.carrySeconds = watch.Seconds();
   return report;
 }
