@@ -3,6 +3,7 @@
 #include "vtkSphericalStyleFilter.h"
 
 #include "SphericalStyleMethod.h"
+#include "vtkCoarseSurface.h"
 #include "vtkFilterSupport.h"
 #include "vtkFoldGuard.h"
 #include "vtkMovedSurface.h"
@@ -15,11 +16,15 @@
 #include "vtkSurfaceRegion.h"
 #include "vtkTargetSphere.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -36,9 +41,52 @@ using namespace vtkFilterSupport;
 
 vtkStandardNewMacro(vtkSphericalStyleFilter);
 
+namespace
+{
+/// When each array of a surface was changed; no two have the same time. The surface itself may be
+/// another copy of them: ParaView makes one for each execution.
+std::vector<vtkMTimeType> TimesOf(vtkPolyData* surface)
+{
+  std::vector<vtkMTimeType> times = { surface->GetPoints() ? surface->GetPoints()->GetMTime() : 0 };
+  for (vtkCellArray* cells :
+    { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
+  {
+    times.push_back(cells->GetNumberOfCells() > 0 ? cells->GetMTime() : 0);
+  }
+  for (vtkDataSetAttributes* attributes :
+    { static_cast<vtkDataSetAttributes*>(surface->GetPointData()),
+      static_cast<vtkDataSetAttributes*>(surface->GetCellData()) })
+  {
+    for (int k = 0; k < attributes->GetNumberOfArrays(); ++k)
+    {
+      times.push_back(attributes->GetAbstractArray(k)->GetMTime());
+    }
+  }
+  return times;
+}
+}
+
 /// What is kept between executions.
 struct vtkSphericalStyleFilter::Internals
 {
+  /// What a preview is one of: the model of the last full result.
+  struct PreviewBasis
+  {
+    std::vector<vtkMTimeType> Input; // see TimesOf
+    int Refinement = 0;
+    double RefinedLength = 0.0;
+    std::shared_ptr<const vtkSurfaceMesh> Surface;
+    vtkSmartPointer<vtkPolyData> Refined;           // nullptr where the input is the model
+    std::shared_ptr<const vtkCoarseSurface> Coarse; // made by the first preview
+
+    bool IsOf(vtkPolyData* input, int refinement, double length) const
+    {
+      return this->Surface && refinement == this->Refinement && length == this->RefinedLength &&
+        this->Input == TimesOf(input);
+    }
+  };
+  PreviewBasis Basis;
+
   vtkStyleModel Model;
   SphericalStyle::SphericalStyleMethod Solver;
   vtkStyleReview Review;
@@ -111,13 +159,16 @@ const char* vtkSphericalStyleFilter::GetCenterPosition()
 {
   const bool custom = this->CenterMode == CUSTOM_CENTER;
   const std::shared_ptr<const vtkSurfaceMesh> surface = this->Internal->Model.GetSurface();
+  const std::shared_ptr<const vtkCoarseSurface>& coarse = this->Internal->Basis.Coarse;
   if (!surface || !surface->Part.IsWhole() || surface->Mesh.F.rows() == 0 ||
     (!custom && this->CenterMode != this->EffectiveCenterMode))
   {
     return "";
   }
   const Eigen::Vector3d center(custom ? this->Center : this->EffectiveCenter);
-  return vtkTargetSphere::Encloses(surface->Mesh, center) ? "Inside" : "Outside";
+  const SphericalStyle::TriangleMesh& mesh =
+    this->Preview && coarse ? coarse->Surface.Mesh : surface->Mesh;
+  return vtkTargetSphere::Encloses(mesh, center) ? "Inside" : "Outside";
 }
 
 int vtkSphericalStyleFilter::FillInputPortInformation(int port, vtkInformation* info)
@@ -139,14 +190,15 @@ int vtkSphericalStyleFilter::RequestWholeData(
     [this] { this->ReleaseCache(); });
 }
 
+bool vtkSphericalStyleFilter::AsksFor(int array)
+{
+  const char* name = this->GetInputArrayInformation(array)->Get(vtkDataObject::FIELD_NAME());
+  return name && *name && std::string(name) != "None";
+}
+
 bool vtkSphericalStyleFilter::WorksOnParts(
   vtkInformationVector** inputVector, const vtkProcesses& processes)
 {
-  const auto asksFor = [this](int array)
-  {
-    const char* name = this->GetInputArrayInformation(array)->Get(vtkDataObject::FIELD_NAME());
-    return name && *name && std::string(name) != "None";
-  };
   // The closed form has more options than these; they are no switches between ways to work.
   SphericalStyle::StyleOptions o;
   o.sphericalWeighting = static_cast<SphericalStyle::SphericalWeighting>(this->SphericalWeighting);
@@ -158,8 +210,8 @@ bool vtkSphericalStyleFilter::WorksOnParts(
   const bool needsWhole = !SphericalStyle::IsClosedForm(o) ||
     o.anchor == SphericalStyle::Anchor::LastPoint || this->ReproduceThesis ||
     this->AvoidSelfIntersections || !this->WeldCoincidentPoints ||
-    this->RefineLongEdges == vtkLongEdges::ALWAYS || asksFor(vtkStyleArrays::REGION_MASK) ||
-    asksFor(vtkStyleArrays::CENTER_ID) || vtkSelection::GetData(inputVector[SELECTION], 0);
+    this->RefineLongEdges == vtkLongEdges::ALWAYS || this->AsksFor(vtkStyleArrays::REGION_MASK) ||
+    this->AsksFor(vtkStyleArrays::CENTER_ID) || vtkSelection::GetData(inputVector[SELECTION], 0);
   // What differs between two processes counts as on the first one, which gathering leads to.
   std::vector<double> own = { needsWhole ? 1.0 : 0.0, this->Roundness, this->NormalBlend,
     static_cast<double>(this->NormalRadius), static_cast<double>(this->KeepSize),
@@ -214,6 +266,105 @@ int vtkSphericalStyleFilter::RequestPart(
   return PART_FAILED;
 }
 
+//------------------------------------------------------------------------------------------------
+int vtkSphericalStyleFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (this->Preview && this->CanPreview(inputVector))
+  {
+    const auto preview = [&]
+    {
+      this->MakePreview(vtkPolyData::GetData(inputVector[MODEL], 0), outputVector);
+      return 1;
+    };
+    return RunGuarded(this, outputVector, preview, [this] { this->ReleaseCache(); });
+  }
+  Internals::PreviewBasis last = std::move(this->Internal->Basis);
+  this->Internal->Basis = {};
+  const int done = this->Superclass::RequestData(request, inputVector, outputVector);
+  Internals::PreviewBasis& basis = this->Internal->Basis;
+  if (basis.Surface)
+  {
+    auto* input = vtkPolyData::GetData(inputVector[MODEL], 0);
+    basis.Input = TimesOf(input);
+    if (basis.Surface == last.Surface && last.IsOf(input, basis.Refinement, basis.RefinedLength))
+    {
+      basis.Coarse = last.Coarse;
+    }
+  }
+  return done;
+}
+
+bool vtkSphericalStyleFilter::CanPreview(vtkInformationVector** inputVector)
+{
+  auto* input = vtkPolyData::GetData(inputVector[MODEL], 0);
+  const Internals::PreviewBasis& basis = this->Internal->Basis;
+  if (!input || !basis.IsOf(input, this->RefineLongEdges, this->MaximumEdgeLength))
+  {
+    return false;
+  }
+  const SphericalStyle::MethodOptions o = this->MakeOptions();
+  const bool givenNormals =
+    this->AsksFor(vtkStyleArrays::NORMALS) || input->GetPointData()->GetNormals();
+  bool asksForArrays = false;
+  for (const int array :
+    { vtkStyleArrays::ROUNDNESS_FACTOR, vtkStyleArrays::NORMAL_BLEND,
+      vtkStyleArrays::TARGET_DIRECTIONS, vtkStyleArrays::REGION_MASK, vtkStyleArrays::CENTER_ID })
+  {
+    asksForArrays |= this->AsksFor(array);
+  }
+  return SphericalStyle::IsClosedForm(o) && o.anchor == SphericalStyle::Anchor::Centroid &&
+    !this->ReproduceThesis && !this->AvoidSelfIntersections && this->WeldCoincidentPoints &&
+    !asksForArrays && !vtkSelection::GetData(inputVector[SELECTION], 0) &&
+    !(givenNormals && this->DetailSize == 0.0 && this->NormalBlend > 0.0);
+}
+
+/// [preview]
+void vtkSphericalStyleFilter::MakePreview(vtkPolyData* input, vtkInformationVector* outputVector)
+{
+  constexpr int Probes = 1 << 15;
+  const std::shared_ptr<Internals> internal = this->Internal; // ReleaseCache may come meanwhile
+  Internals::PreviewBasis& basis = internal->Basis;
+  const std::shared_ptr<const vtkSurfaceMesh> surface = basis.Surface;
+  this->CheckProperties();
+  if (!basis.Coarse)
+  {
+    vtkPolyData* model = basis.Refined ? basis.Refined.Get() : input;
+    basis.Coarse = vtkCoarseSurface::Make(vtkSurfaceMeshConversion::WithoutEmptyArrays(model),
+      *surface, this->PreviewSize, Probes, internal->Solver.GetFrame().scale);
+  }
+  const std::shared_ptr<const vtkCoarseSurface> coarse = basis.Coarse;
+  SphericalStyle::MethodOptions o = this->MakeOptions();
+  o.size.keepOnGround = this->KeepOnGround;
+  const auto goOn = [this](int, double) { return !Aborted(this); };
+  const SphericalStyle::StyleReport report = internal->Solver.Preview(coarse->Places, o, goOn);
+
+  using vtkSurfaceMeshConversion::AddPointArray;
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  output->ShallowCopy(coarse->Model);
+  vtkMovedSurface::Fill(this, output, coarse->Surface, internal->Solver.TakePositions());
+  AddPointArray(output, coarse->Surface, "TargetDirection", output->GetPoints()->GetDataType(),
+    internal->Solver.GetDirections());
+  if (this->GenerateDisplacement)
+  {
+    vtkSurfaceMeshConversion::AddDisplacement(output, coarse->Model);
+  }
+  if (o.keepRotations)
+  {
+    vtkSurfaceMeshConversion::AddRotations(
+      output, coarse->Surface, internal->Solver.GetRotations());
+  }
+  internal->Solver.ForgetResult();
+  this->SetLoopFacts(report.loop);
+  std::copy_n(report.sphere.center.data(), 3, this->EffectiveCenter);
+  this->EffectiveRadius = report.sphere.radius;
+  this->EffectiveCenterMode = this->CenterMode;
+  this->AdviceTime.Modified(); // that of the full result stays
+  vtkStyleHistory::Fill(vtkTable::GetData(outputVector, 1), report, "Spherical");
+  vtkTargetSphere::Fill(vtkPolyData::GetData(outputVector, 2), report.spheres);
+}
+
+//------------------------------------------------------------------------------------------------
 int vtkSphericalStyleFilter::Execute(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, const std::shared_ptr<const vtkProcesses>& processes)
 {
@@ -242,6 +393,7 @@ int vtkSphericalStyleFilter::Execute(vtkInformationVector** inputVector,
   vtkMovedSurface::Fill(this, output, e.Surface(), e.Q);
   this->AttachArrays(*internal, e, output);
   internal->Solver.ForgetResult(); // the review needs memory, and none of it
+  this->KeepBasis(*internal, e, input);
   this->SetFacts(e);
   this->Review(*internal, e);
   const std::vector<double> bytes = processes ? processes->GetBytesOfAll() : std::vector<double>();
@@ -256,6 +408,23 @@ int vtkSphericalStyleFilter::Execute(vtkInformationVector** inputVector,
   vtkStyleHistory::AddBytes(history, bytes);
   vtkTargetSphere::Fill(vtkPolyData::GetData(outputVector, 2), e.Report.spheres);
   return 1;
+}
+
+/// What previews need of a full result.
+void vtkSphericalStyleFilter::KeepBasis(
+  Internals& internal, const Execution& e, vtkPolyData* input) const
+{
+  const bool alone = !this->Controller || this->Controller->GetNumberOfProcesses() == 1;
+  if (!alone || !e.HasTriangles() || !e.Report.closedForm || e.Report.loop.aborted ||
+    e.Surface().Mesh.P.rows() <= 2 * this->PreviewSize)
+  {
+    return;
+  }
+  Internals::PreviewBasis& basis = internal.Basis;
+  basis.Refinement = this->RefineLongEdges;
+  basis.RefinedLength = this->MaximumEdgeLength;
+  basis.Surface = e.Model.Surface;
+  basis.Refined = e.Model.Model == input ? nullptr : e.Model.Model;
 }
 
 void vtkSphericalStyleFilter::CheckProperties() const
@@ -479,6 +648,7 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReproduceThesis: " << OnOff(this->ReproduceThesis) << "\n";
   os << indent << "GenerateDisplacement: " << OnOff(this->GenerateDisplacement) << "\n";
   os << indent << "GenerateRotation: " << OnOff(this->GenerateRotation) << "\n";
+  os << indent << "Preview: " << OnOff(this->Preview) << "\n";
   os << indent << "EffectiveCenter: " << Triple(this->EffectiveCenter) << "\n";
   os << indent << "EffectiveRadius: " << this->EffectiveRadius << "\n";
   os << indent << "CenterPosition: " << this->GetCenterPosition() << "\n";

@@ -453,6 +453,22 @@ public:
 
   ///@{
   /**
+   * For programs, while something is dragged: a model of more than 100000 points comes out as a
+   * coarse copy of about 50000 of its points [preview], which is quicker. They are about where the
+   * full result has them, with all of their arrays. The full result has to be there, of this input:
+   * else it is made instead, as it is where the result is not in closed form, with
+   * AvoidSelfIntersections, a region, several centers, input arrays, and with NormalBlend and given
+   * normals at DetailSize 0. The thickness of limbs stays that of the last full result. Warnings,
+   * Advice and the facts of the guard come with the full result only. With several processes (MPI)
+   * the result is always full. Default off.
+   */
+  vtkSetMacro(Preview, bool);
+  vtkGetMacro(Preview, bool);
+  vtkBooleanMacro(Preview, bool);
+  ///@}
+
+  ///@{
+  /**
    * Facts of the last execution: the center and radius that were used (model coordinates and
    * length; of the lowest id with several).
    */
@@ -505,6 +521,10 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestPart(vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /// Points of a preview, about; what has no more than twice as many is shown in full.
+  int PreviewSize = 50000;
 
   // What only a study of the thesis changes: vtkThesisStyleFilter says what they are.
   int ConcaveEdges = 0;
@@ -539,6 +559,12 @@ private:
     const Internals& internal, const Execution& execution, vtkPolyData* output) const;
   void SetFacts(const Execution& execution);
   void Review(Internals& internal, const Execution& execution);
+  bool AsksFor(int array);
+
+  // A preview.
+  void KeepBasis(Internals& internal, const Execution& execution, vtkPolyData* input) const;
+  bool CanPreview(vtkInformationVector** inputVector);
+  void MakePreview(vtkPolyData* input, vtkInformationVector* outputVector);
 
   static constexpr int NotCounted = -1;
 
@@ -564,6 +590,7 @@ private:
   bool ReproduceThesis = false;
   bool GenerateDisplacement = true;
   bool GenerateRotation = false;
+  bool Preview = false;
 
   double EffectiveCenter[3] = { 0.0, 0.0, 0.0 };
   double EffectiveRadius = 0.0;

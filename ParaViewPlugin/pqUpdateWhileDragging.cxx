@@ -14,6 +14,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 #include "vtkPVGeneralSettings.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMTrace.h"
 
@@ -127,6 +129,7 @@ void pqUpdateWhileDragging::start()
 {
   this->close(); // should the end of the last one have been lost
   this->Dragging = this->isWanted();
+  this->Previews = this->Dragging && !vtkSMTrace::GetActiveTracer();
   this->SlowUpdates = 0;
   if (this->Dragging)
   {
@@ -155,6 +158,7 @@ void pqUpdateWhileDragging::finish()
   QTimer::singleShot(0, this,
     [this]
     {
+      this->Previews = false;
       this->update();
       this->close();
       pqApplicationCore::instance()->render(); // what shows the result elsewhere, such as charts
@@ -164,11 +168,24 @@ void pqUpdateWhileDragging::finish()
 void pqUpdateWhileDragging::close()
 {
   this->Timer.stop();
+  this->Previews = false;
+  this->setPreview(false); // should there be no release, the next update gives the full result
   if (this->Dragging)
   {
     this->Dragging = false;
     END_UNDO_SET();
     this->Messages->Give();
+  }
+}
+
+void pqUpdateWhileDragging::setPreview(bool on)
+{
+  vtkSMProxy* filter = this->parentWidget() ? this->parentWidget()->proxy() : nullptr;
+  vtkSMProperty* property = filter ? filter->GetProperty("Preview") : nullptr;
+  if (property && vtkSMPropertyHelper(property).GetAsInt() != (on ? 1 : 0))
+  {
+    vtkSMPropertyHelper(property).Set(on ? 1 : 0);
+    filter->UpdateProperty("Preview");
   }
 }
 
@@ -187,6 +204,7 @@ void pqUpdateWhileDragging::update()
   const auto executed =
     QObject::connect(source, qOverload<pqPipelineSource*>(&pqPipelineSource::dataUpdated), this,
       [this] { this->Messages->NoteExecution(); });
+  this->setPreview(this->Previews);
   panel->apply();
   source->setModifiedState(pqProxy::UNMODIFIED);
   view->forceRender();

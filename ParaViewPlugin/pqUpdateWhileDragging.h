@@ -13,6 +13,10 @@
 /// whole drag. While a trace is recorded there is one update, on release. Warnings come on release,
 /// those of the last update, and not once for each: what is said of shapes in between is no use.
 ///
+/// A filter with the property Preview, 0 or 1, has it set meanwhile, so that it may give less than
+/// the full result, and quicker; the update of the release is full. It is to be internal: neither
+/// undo nor states nor traces know of it.
+///
 /// Widgets in the view get a check box, on by default and kept in ParaView's settings; a slider
 /// follows while Auto Apply is on. Before the first Apply, and where neither says so, all is as
 /// without the decorator.
@@ -47,11 +51,13 @@ private:
 
   void addCheckBox();
   bool isWanted() const;
+  void setPreview(bool on);
   void close();
 
   pqSettingCheckBox* CheckBox = nullptr;
   QTimer Timer;
   bool Dragging = false; // and an undo set is open
+  bool Previews = false; // the next update does
   int SlowUpdates = 0;   // in a row
   vtkSmartPointer<HeldMessages> Messages;
 };

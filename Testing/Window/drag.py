@@ -28,6 +28,7 @@ from PIL import Image, ImageGrab
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FRAME = (0, 0, 255)  # around the active view; found on the screen, since no event says where a widget is
+PREVIEW = re.compile(r"\bPreview\b")  # ParaView has a PreviewMode of its own
 HANGS = 900  # seconds that no wait takes unless its event never comes; each takes a few, the start of the window ten
 
 
@@ -152,7 +153,8 @@ def save_strip(pictures, middle, name):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build", help="build folder")
-    parser.add_argument("model")
+    parser.add_argument("model", help="file, or the root of the number of points of a ball")
+    parser.add_argument("--coarse", action="store_true", help="while dragging a coarse copy is to be shown")
     parser.add_argument("--detail-size", type=float, default=0.06)
     parser.add_argument("--roundness", type=float, default=1.0)
     parser.add_argument("--normal-blend", type=float, default=0.0, help="0: the center does most")
@@ -174,9 +176,10 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         log = os.path.join(folder, "log")
         settings = dict(log=log, model=os.path.abspath(options.model),
+                        resolution=int(options.model) if options.model.isdigit() else 0,
                         properties=properties_of(options),
                         sphere=options.handle == "sphere", released=PATH[-1], auto_apply=int(options.auto_apply),
-                        trace=bool(options.trace))
+                        trace=bool(options.trace), coarse=options.coarse)
         environment = dict(
             os.environ, DRAG=json.dumps(settings), HOME=folder,
             PV_PLUGIN_PATH=plugin_path(options))
@@ -244,10 +247,28 @@ def check_trace(options, trace, updates, center):
     # style.Center = [...], and from ParaView 6 on style.Set(Center=[...])
     changes = len(re.findall(r"\bCenter ?= ?\[", trace))
     print(f"trace: {changes} changes of Center, replayed {replayed}, dragged to {center}")
-    if updates != 1 or changes != 1 or not replayed or not numpy.allclose(replayed[0], center):
+    if PREVIEW.search(trace) or updates != 1 or changes != 1 or not replayed or not numpy.allclose(replayed[0], center):
         print(f"FAILED: {updates} updates, and not 1; trace:\n{trace}")
         return 1
     print("passed")
+    return 0
+
+
+def check_points(options, updates, points):
+    """Those shown: of a large model a coarse copy while dragging, and all of them after the release."""
+    shown = [line["points"] for line in updates if "points" in line]
+    pauses = numpy.diff([line["time"] for line in updates if "time" in line][:-1])
+    if len(pauses):
+        print(f"between updates: {numpy.median(pauses):.3f} s, at most {pauses.max():.3f} s; "
+              f"points: {shown[0]} ... {shown[-1]}")
+    few = [points == n for n in shown[:-1]] if not options.coarse else [25_000 < n < 75_000 for n in shown[:-1]]
+    if not all(few) or shown[-1] != points:
+        print(f"FAILED: points while dragging, and then: {shown}; of the model: {points}")
+        return 1
+    states = [line["state"] for line in updates if "state" in line]
+    if options.coarse and (len(states) != 1 or "Roundness" not in states[0] or PREVIEW.search(states[0])):
+        print(f"FAILED: a state while dragging knows of it:\n{states}")
+        return 1
     return 0
 
 
@@ -268,10 +289,13 @@ def watch(options, log):
         save_pictures(pictures + [ImageGrab.grab()], options.pictures)
     if options.strip:
         save_strip(pictures, (x, y), options.strip)
-    dragging = centers(between(log, grabbed, dragged))  # the last one is that of the release
+    updates = between(log, grabbed, dragged)  # the last one is that of the release
+    dragging = centers(updates)
     print(f"{os.path.basename(options.model)}: {len(dragging)} updates in {took:.1f} s, "
           f"{len(dragging) / took:.1f} per second")
 
+    if failed := check_points(options, updates, ready["points"]):
+        return failed
     subprocess.run(["xdotool", "key", "ctrl+z"], check=True)
     undoes = wait_for("undo", lambda: first(log, "undoes"))
     wait_for("the model as before the drag", center_is(ready["center"]))

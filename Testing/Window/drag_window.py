@@ -5,9 +5,11 @@ JSON to a file for each event, in their order: an execution, a message, a moveme
 the view, a change of what can be undone. Settings come in the environment variable DRAG."""
 import json
 import os
+import tempfile
+import time
 
 import numpy
-from paraview import servermanager, simple
+from paraview import servermanager, simple, smstate
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkOutputWindow
@@ -29,7 +31,10 @@ def values(name, size, unchecked=False):
 
 general = simple.GetSettingsProxy("GeneralSettings")
 general.AutoApply = settings["auto_apply"]
-model = simple.OpenDataFile(settings["model"])
+if settings["resolution"]:  # a ball of that number of points, squared
+    model = simple.Sphere(ThetaResolution=settings["resolution"], PhiResolution=settings["resolution"])
+else:
+    model = simple.OpenDataFile(settings["model"])
 style = simple.SphericalStyle(Input=model, **settings["properties"])
 style.UpdatePipeline()
 style.SMProxy.UpdatePropertyInformation()
@@ -88,11 +93,20 @@ for event in ("WarningEvent", "ErrorEvent"):
 updates = 0
 
 
+def states():
+    """As a script and as XML."""
+    with tempfile.NamedTemporaryFile("r", suffix=".pvsm") as file:
+        servermanager.ProxyManager().SaveXMLState(file.name)
+        return smstate.get_state() + file.read()
+
+
 def write_update(*_):
     """The trace ends with undo, since no other event comes here when all is done."""
     global updates
     updates += 1
-    write(center=values("Center", 3))
+    write(center=values("Center", 3), points=style.GetDataInformation().GetNumberOfPoints(), time=time.monotonic())
+    if settings["coarse"] and updates == 2:
+        write(state=states())
     if servermanager.vtkSMTrace.GetActiveTracer() and updates > 1 and numpy.allclose(values("Center", 3), center):
         write(trace=servermanager.vtkSMTrace.StopTrace())
 
@@ -122,4 +136,5 @@ undo = servermanager.vtkSMProxyManager.GetProxyManager().GetUndoStackBuilder().G
 undo.AddObserver("StartEvent", lambda *_: write(undoes="start"))
 undo.AddObserver("ModifiedEvent", lambda *_: write(undo=undo.GetUndoSetLabel(0) if undo.CanUndo() else ""))
 x, y, _ = to_screen(center)
-write(ready=dict(handle=[x, view.ViewSize[1] - y], center=center, radius=radius))
+write(ready=dict(handle=[x, view.ViewSize[1] - y], center=center, radius=radius,
+            points=style.GetDataInformation().GetNumberOfPoints()))

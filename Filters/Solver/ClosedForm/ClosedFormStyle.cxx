@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClosedFormStyle.h"
 
+#include "CarriedDetails.h"
+#include "ClosedFormPreview.h"
 #include "LimbThickness.h"
-#include "LocalStep.h"
 #include "Orientation.h"
 #include "Parallel.h"
 #include "Stage.h"
@@ -22,30 +23,12 @@ namespace SphericalStyle
 {
 namespace
 {
-/// Of the area of B' to that of what is carried on it, seen along the turned normal: below it
-/// details give way.
-constexpr double SmallestStretch = 0.5;
 /// Of the normals around, |mean| to mean of lengths: below it, as where the two sides of a thin
 /// wall cancel, a normal fades.
 constexpr double LeastAgreement = 0.2;
 /// The base counts in full where smoothing takes 1 to within 1 %, and not where it is off by 3 %.
 constexpr double MostKnown = 1.5;
 constexpr double LossOfKnown = 50.0;
-/// Of the area that a place usually has in B': what is smaller makes details give way less, so that
-/// they never jump.
-constexpr double LeastArea = 0.2;
-/// Smooth share of yielding places below which their say fades: how far from a crease details give
-/// way.
-constexpr double FewYields = 0.01;
-using Gradient = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
-
-/// c, what is kept of details where their rotation is hardly determined [carry].
-/// @param R  the rotation closest to S
-double CertainShare(const Eigen::Matrix3d& S, const Eigen::Matrix3d& R)
-{
-  const double c = RotationCertainty(S, R);
-  return c * c * (3.0 - 2.0 * c);
-}
 
 struct BaseKey
 {
@@ -60,8 +43,7 @@ struct SmoothBase
   SurfaceGrid Grid;
   int Walls = 0;
   Points B;
-  Fields Gradients;   // of the base, at the samples
-  Points AreaVectors; // of the base, at the samples
+  BaseSlopes Slopes;
 };
 
 /// Of what depends on nothing but the base.
@@ -110,6 +92,20 @@ struct CenterJoints
 {
   SurfaceGrid Grid;
   Fields Shares; // n x centers
+};
+
+struct PreviewKey
+{
+  std::shared_ptr<const PreviewPlaces> places;
+  int base; // versions; 0 of what has no say
+  int normals;
+  int thickness;
+
+  bool operator==(const PreviewKey& other) const
+  {
+    return this->places == other.places && this->base == other.base &&
+      this->normals == other.normals && this->thickness == other.thickness;
+  }
 };
 
 struct LengthKey
@@ -181,6 +177,7 @@ public:
   Stage<ThicknessKey, Eigen::VectorXd> Thickness;
   Stage<SphereKey, Sphere> WholeSphere; // of the whole base
   Stage<SharesKey, CenterJoints> Joints;
+  Stage<PreviewKey, ClosedFormPreview> Preview;
   // Of the last solve.
   Callback Asked;
   int Steps = 0;
@@ -205,8 +202,6 @@ public:
   Points JointMoves(const ClosedFormOptions& o, const std::vector<Points>& targets) const;
   void BlendBase(const ClosedFormOptions& o, Points& targets) const;
   void CarryDetails(const ClosedFormOptions& o, Points moved);
-  void Yield(
-    const ClosedFormOptions& o, const Points& moved, const Fields& S, const Points& ofBase);
   void Place(const ClosedFormOptions& o, ClosedFormReport& report);
 };
 
@@ -277,8 +272,8 @@ void ClosedFormStyle::State::MakeBase(const ClosedFormOptions& o, SmoothBase& ba
   const Fields smooth = base.Grid.SmoothTwice(base.Grid.GetPlaces(), o.threads);
   base.B = base.Grid.AtPoints(smooth, *this->P, o.threads);
   this->KeepWhatIsUnknown(o.threads, base);
-  base.Gradients = base.Grid.Gradients(base.B, o.threads);
-  base.AreaVectors = base.Grid.AreaVectorsUnder(base.Gradients, o.threads);
+  base.Slopes.gradients = base.Grid.Gradients(base.B, o.threads);
+  base.Slopes.areaVectors = base.Grid.AreaVectorsUnder(base.Slopes.gradients, o.threads);
   this->Step();
 }
 
@@ -321,8 +316,9 @@ const Points& ClosedFormStyle::State::Normals(const ClosedFormOptions& o)
 void ClosedFormStyle::State::MakeNormals(int threads, Points& normals) const
 {
   const SmoothBase& base = this->Base.Get();
-  Fields means(base.AreaVectors.rows(), 4);
-  means << base.AreaVectors, base.AreaVectors.rowwise().norm();
+  const Points& areaVectors = base.Slopes.areaVectors;
+  Fields means(areaVectors.rows(), 4);
+  means << areaVectors, areaVectors.rowwise().norm();
   means = base.Grid.GetWeights().cwiseInverse().asDiagonal() * means;
   const Fields smooth = base.Grid.AtPoints(base.Grid.Smooth(means, threads), *this->P, threads);
   normals = Points::Zero(smooth.rows(), 3);
@@ -544,106 +540,21 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o, Points mov
   }
   const SmoothBase& base = this->Base.Get();
   const SurfaceGrid& grid = base.Grid;
-  const int samples = grid.GetNumberOfSamples();
-  const Fields slopes = grid.Gradients(moved, o.threads);
-  const Points& before = base.AreaVectors;
-  const Points after = grid.AreaVectorsUnder(slopes, o.threads);
-  Fields S(samples, 9);
-  ParallelFor(samples, o.threads,
-    [&](int begin, int end)
-    {
-      for (int k = begin; k < end; ++k)
-      {
-        const Gradient G(base.Gradients.row(k).data());
-        const Gradient H(slopes.row(k).data());
-        Eigen::Matrix3d covariance = G * H.transpose();
-        const double size = std::sqrt(before.row(k).norm() * after.row(k).norm());
-        if (size > 0.0)
-        {
-          covariance += before.row(k).transpose() * after.row(k) / (size * grid.GetWeights()(k));
-        }
-        Eigen::Map<Eigen::Matrix3d>(S.row(k).data()) = covariance; // column by column
-      }
-    });
-  const Fields smooth = grid.SmoothTwice(S, o.threads);
-  const int n = static_cast<int>(P0.rows());
-  if (o.keepRotations)
+  BaseSlopes after;
+  after.gradients = grid.Gradients(moved, o.threads);
+  after.areaVectors = grid.AreaVectorsUnder(after.gradients, o.threads);
+  const Fields smooth =
+    grid.SmoothTwice(DetailCovariances(grid, base.Slopes, after, o.threads), o.threads);
+  Points& positions = this->Result.positions;
+  SphericalStyle::CarryDetails(grid, smooth, P0, base.B, moved, o.threads, positions,
+    o.keepRotations ? &this->Result.rotations : nullptr);
+  const Points carried = grid.AreaVectorsUnder(grid.Gradients(positions, o.threads), o.threads);
+  const Fields yields =
+    DetailYields(grid, grid.AtSamples(smooth, o.threads), after.areaVectors, carried, o.threads);
+  if (!yields.isZero(0.0))
   {
-    this->Result.rotations.resize(n);
+    GiveWay(grid, grid.Smooth(yields, o.threads), P0, moved, o.threads, positions);
   }
-  this->Result.positions.resize(n, 3);
-  constexpr int Packet = 4096; // so that the covariances of all points are never kept
-  ParallelTasks((n + Packet - 1) / Packet, o.threads,
-    [&](int task)
-    {
-      const int begin = Packet * task;
-      const int count = std::min(Packet, n - begin);
-      const Fields at = grid.AtPoints(smooth, P0.middleRows(begin, count), 1);
-      Matrices R(count, Eigen::Matrix3d::Identity());
-      FitRotations(at.data(), count, R.data());
-      for (int i = 0; i < count; ++i)
-      {
-        const Eigen::Vector3d detail = (P0.row(begin + i) - base.B.row(begin + i)).transpose();
-        const double kept = CertainShare(Eigen::Map<const Eigen::Matrix3d>(at.row(i).data()), R[i]);
-        this->Result.positions.row(begin + i) =
-          moved.row(begin + i) + kept * (R[i] * detail).transpose();
-      }
-      if (o.keepRotations)
-      {
-        std::copy(R.begin(), R.end(), this->Result.rotations.begin() + begin);
-      }
-    });
-  this->Yield(o, moved, grid.AtSamples(smooth, o.threads), after);
-}
-
-/// Details give way where they would fold: in creases, where the base becomes narrow and they do
-/// not [carry].
-/// @param moved  B' @param S  covariances of the samples @param ofBase  area vectors of B'
-void ClosedFormStyle::State::Yield(
-  const ClosedFormOptions& o, const Points& moved, const Fields& S, const Points& ofBase)
-{
-  const SurfaceGrid& grid = this->Base->Grid;
-  const Points& atRest = grid.GetAreaVectors();
-  const Points carried =
-    grid.AreaVectorsUnder(grid.Gradients(this->Result.positions, o.threads), o.threads);
-  const double usual = ofBase.rowwise().norm().sum() / atRest.rowwise().norm().sum();
-  const int samples = grid.GetNumberOfSamples();
-  Fields yields = Fields::Zero(samples, 2); // y and y^2
-  ParallelFor(samples, o.threads,
-    [&](int begin, int end)
-    {
-      for (int k = begin; k < end; ++k)
-      {
-        const Eigen::Map<const Eigen::Matrix3d> covariance(S.row(k).data());
-        const Eigen::Matrix3d R = ClosestRotation(covariance);
-        const Eigen::Vector3d normal = R * atRest.row(k).transpose();
-        const double a = ofBase.row(k).dot(normal);
-        const double gap = SmallestStretch * a - carried.row(k).dot(normal);
-        const double least = LeastArea * usual * normal.squaredNorm();
-        if (gap > 0.0 && a > -least)
-        {
-          const double way = std::max(gap + (1.0 - SmallestStretch) * a, -SmallestStretch * a);
-          const double y = CertainShare(covariance, R) * std::min(1.0, 1.0 + a / least) *
-            std::min(1.0, gap / least) * std::min(1.0, gap / way);
-          yields.row(k) << y, y * y;
-        }
-      }
-    });
-  if (yields.isZero(0.0))
-  {
-    return;
-  }
-  const Fields yield = grid.AtPoints(grid.Smooth(yields, o.threads), *this->P, o.threads);
-  ParallelFor(static_cast<int>(yield.rows()), o.threads,
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        const double share =
-          std::clamp(yield(i, 1) / (std::max(0.0, yield(i, 0)) + FewYields), 0.0, 1.0);
-        this->Result.positions.row(i) -= share * (this->Result.positions.row(i) - moved.row(i));
-      }
-    });
 }
 
 /// [size], and what stays where it is.
@@ -735,6 +646,38 @@ ClosedFormReport ClosedFormStyle::Solve(const ClosedFormOptions& options, const 
   s.CarryDetails(options, std::move(moved));
   s.Step();
   s.Place(options, report);
+  report.carrySeconds = watch.Seconds();
+  return report;
+}
+
+ClosedFormReport ClosedFormStyle::Preview(const std::shared_ptr<const PreviewPlaces>& places,
+  const ClosedFormOptions& options, const Callback& callback)
+{
+  State& s = *this->S;
+  s.Start(callback);
+  ClosedFormReport report;
+  s.UpdateBase(options, report);
+  const Stopwatch watch;
+  report.spheres = s.Spheres(options);
+  const Sphere& sphere = report.spheres.front();
+  const bool limbs = options.normalBlend > 0.0;
+  const bool own = limbs && options.normalRadius == NormalRadius::OwnThickness;
+  const Points* normals = limbs ? &s.Normals(options) : nullptr;
+  if (own && s.Thickness.GetKey().base != s.Base.GetVersion())
+  {
+    s.UpdateThickness(options, sphere.radius);
+  }
+  s.Preview.Update({ places, s.Base.GetVersion(), limbs ? s.OwnNormals.GetVersion() : 0,
+                     own ? s.Thickness.GetVersion() : 0 },
+    [&](ClosedFormPreview& preview)
+    {
+      preview = {};
+      preview = ClosedFormPreview(
+        { *s.P, *s.F, s.GetBase(), s.Base->Grid, normals, own ? &s.Thickness.Get() : nullptr },
+        *places, options.threads);
+    });
+  s.Step();
+  s.Result = s.Preview->Solve(options, sphere, s.Base->Grid, s.Base->Slopes, report.scale);
   report.carrySeconds = watch.Seconds();
   return report;
 }

@@ -60,6 +60,16 @@ struct ClosedFormResult
   Matrices rotations; ///< R, n, or none
 };
 
+/// Where a preview looks at a large model.
+struct PreviewPlaces
+{
+  std::vector<int> points; ///< of the mesh, those wanted
+  /// Triangles that stand for all of this process, each for the same area; one may come again. None
+  /// without area.
+  std::vector<int> probes;
+  double areaOfProbe = 0.0; ///< that area, in the frame
+};
+
 /// Nothing iterates, and nothing is factored that is as large as the mesh.
 ///
 ///     T_i = O + (1 - a) r d_i + a rho_i n_i            B'_i = B_i + mu / (1 + mu) (T_i - B_i)
@@ -124,6 +134,13 @@ public:
   /// @param callback  asked after each step, with its number; what is done is kept for the next
   /// solve @throw std::invalid_argument, SolverError, PartWithoutSphere, SolveAborted
   ClosedFormReport Solve(const ClosedFormOptions& options, const Callback& callback = {});
+  /// What Solve gives, at some points, in a time that does not depend on the number of points of
+  /// the mesh where Solve was called with the same detail size before: see ClosedFormPreview. The
+  /// thickness of limbs stays as it was, whatever the radius.
+  /// @param places  must not change; what belongs to them is kept until there are others
+  /// @param options  without arrays and regions, with one center
+  ClosedFormReport Preview(const std::shared_ptr<const PreviewPlaces>& places,
+    const ClosedFormOptions& options, const Callback& callback = {});
   /// Carries the details on a base that another method has deformed: P' = B' + R (P - B), B' the
   /// base of Q.
   /// @param Q  n x 3, what became of P

@@ -1242,7 +1242,8 @@ Fields SurfaceGrid::Evaluate(
   return result;
 }
 
-Fields SurfaceGrid::AtSamples(const Fields& coefficients, int threads) const
+Fields SurfaceGrid::AtSamples(
+  const Fields& coefficients, int threads, const Eigen::Vector3d& offset) const
 {
   std::vector<int> cells(this->GetNumberOfSamples());
   for (std::size_t c = 0; c + 1 < this->FirstSample.size(); ++c)
@@ -1254,7 +1255,7 @@ Fields SurfaceGrid::AtSamples(const Fields& coefficients, int threads) const
     coefficients, this->GetNumberOfSamples(),
     [&](int k, double* t)
     {
-      std::copy_n(this->Locals.row(k).data(), 3, t);
+      Eigen::Map<Eigen::RowVector3d>(t, 3) = this->Locals.row(k) + offset.transpose();
       return this->Functions.data() + static_cast<std::ptrdiff_t>(Near) * cells[k];
     },
     threads);

@@ -116,8 +116,10 @@ public:
   /// The same for any right-hand side sum_k (w_k phi X_k + grad phi . Y_k); Y may have no rows.
   /// @param Y  samples x 3 c, the vector of component j at 3 j
   Fields Solve(const Fields& X, const Fields& Y, int threads) const;
-  /// The field at the samples, samples x c.
-  Fields AtSamples(const Fields& coefficients, int threads) const;
+  /// The field at the samples, or at places beside them as what it is in their cells, samples x c.
+  /// @param offset  from x_k, in units of a cell
+  Fields AtSamples(const Fields& coefficients, int threads,
+    const Eigen::Vector3d& offset = Eigen::Vector3d::Zero()) const;
   /// The field at points of the surface. @param x  n x 3 @return n x c
   Fields AtPoints(const Fields& coefficients, const Points& x, int threads) const;
 

@@ -39,6 +39,9 @@ public:
   /// Whether the value has been made for an equal key.
   bool Has(const Key& key) const { return this->IsMade && this->MadeFor == key; }
 
+  /// That of the value; Key{} where none is made.
+  const Key& GetKey() const { return this->MadeFor; }
+
   /// The next Update makes the value anew. Its memory is kept until then.
   void Forget() noexcept
   {

@@ -115,12 +115,10 @@ Points SphericalStyleMethod::Take(
   return std::move(result.directions);
 }
 
-void SphericalStyleMethod::SolveClosedForm(
-  const MethodOptions& o, const Callback& callback, StyleReport& report)
+void SphericalStyleMethod::ReportClosedForm(
+  const ClosedFormReport& closed, StyleReport& report) const
 {
   const Frame& frame = this->MeshFrame;
-  const ClosedFormReport closed = this->Closed.Solve(this->InFrame(o), callback);
-  this->T = this->Take(o, closed, report);
   report.closedForm = true;
   report.loop.converged = true;
   report.pointsOnCenter = closed.pointsOnCenter;
@@ -131,6 +129,14 @@ void SphericalStyleMethod::SolveClosedForm(
     sphere.radius *= frame.scale;
   }
   report.sphere = report.spheres.front();
+}
+
+void SphericalStyleMethod::SolveClosedForm(
+  const MethodOptions& o, const Callback& callback, StyleReport& report)
+{
+  const ClosedFormReport closed = this->Closed.Solve(this->InFrame(o), callback);
+  this->T = this->Take(o, closed, report);
+  this->ReportClosedForm(closed, report);
   const double most = o.roundnessFactors.size() > 0 ? o.roundnessFactors.maxCoeff()
     : this->P.rows() > 0                            ? 1.0
                                                     : 0.0;
@@ -189,6 +195,42 @@ void SphericalStyleMethod::ForgetResult()
   this->T.resize(0, 3);
   this->R = {};
   this->CellEnergies.resize(0);
+}
+
+StyleReport SphericalStyleMethod::Preview(const std::shared_ptr<const PreviewPlaces>& places,
+  const MethodOptions& options, const Callback& callback)
+{
+  if (!this->Mesh)
+  {
+    throw std::invalid_argument("there is no mesh: SetMesh was not called or has thrown");
+  }
+  CheckOptions(options, static_cast<int>(this->P.rows()));
+  StyleReport report;
+  this->CellEnergies.resize(0);
+  bool moves = options.lambda > 0.0; // else to the bit
+  try
+  {
+    const ClosedFormReport closed = this->Closed.Preview(places, this->InFrame(options), callback);
+    this->T = this->Take(options, closed, report);
+    this->ReportClosedForm(closed, report);
+  }
+  catch (const SolveAborted&)
+  {
+    const auto n = static_cast<Eigen::Index>(places->points.size());
+    this->T = Points::Zero(n, 3);
+    this->R.assign(options.keepRotations ? n : 0, Eigen::Matrix3d::Identity());
+    report.loop.aborted = true;
+    moves = false;
+  }
+  if (!moves)
+  {
+    this->Positions = this->Mesh->P(places->points, AllColumns);
+  }
+  if (!this->Positions.allFinite())
+  {
+    throw SolverError("the result is not finite");
+  }
+  return report;
 }
 
 StyleReport SphericalStyleMethod::Solve(const MethodOptions& options, const Callback& callback)

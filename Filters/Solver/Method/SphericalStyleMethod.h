@@ -54,6 +54,14 @@ public:
   /// and of a surface that is spread WholeSurfaceNeeded, for a surface with one side
   StyleReport Solve(const MethodOptions& options, const Callback& callback = {});
 
+  /// What Solve gives in closed form, at some points of the mesh of the last Solve: see
+  /// ClosedFormStyle::Preview. Positions, directions and rotations are theirs.
+  /// @param options  without arrays and regions, with one center, and in closed form
+  StyleReport Preview(const std::shared_ptr<const PreviewPlaces>& places,
+    const MethodOptions& options, const Callback& callback = {});
+  /// Units of the solve, of the last mesh.
+  const Frame& GetFrame() const { return this->MeshFrame; }
+
   /// P' of the last solve; it is not kept here.
   Points TakePositions() { return std::exchange(this->Positions, Points(0, 3)); }
   /// Lets go of what the last solve has led to. What the next one can use is kept.
@@ -67,6 +75,7 @@ public:
 
 private:
   ClosedFormOptions InFrame(const MethodOptions& options) const;
+  void ReportClosedForm(const ClosedFormReport& closed, StyleReport& report) const;
   void SolveClosedForm(const MethodOptions& options, const Callback& callback, StyleReport& report);
   void SolveEnergy(const MethodOptions& options, const Callback& callback, StyleReport& report);
   void HoldFixedPoints(const MethodOptions& options);
