@@ -173,11 +173,24 @@ def write(path, mesh):
             getattr(writer, switch, lambda: None)()
     with whole(path) as part:
         try:
-            run_writer(writer, part, data)
+            if suffix == ".vtp":
+                _write_text(writer, part, data)
+            else:
+                run_writer(writer, part, data)
         except ModelError as error:
             raise ModelError(str(error).replace(printable(part), name, 1)) from None
         if not part.is_file() or suffix == ".glb" and not _starts_with(part, b"glTF"):
             raise ModelError(f"{name}: this version of VTK cannot write {suffix}")
+
+
+def _write_text(writer, path, data):
+    """By way of a string: the XML writer of VTK 9.6 aborts the process where a disk is full."""
+    writer.WriteToOutputStringOn()
+    run_writer(writer, path, data)
+    try:
+        path.write_bytes(writer.GetOutputString().encode())
+    except OSError as error:
+        raise ModelError(f"{printable(path)}: cannot be written: {error.strerror}") from None
 
 
 def cannot_write(path):

@@ -36,7 +36,7 @@ def summary(folder):
 
 # Names that a shell, an option parser, a terminal, a spreadsheet, a format or a decoder would take for something else.
 names = ["; touch ran;.vtp", "$(touch ran).vtp", "`touch ran`.vtp", "| touch ran.vtp", "-rf.vtp", "--processes.vtp",
-         "=1+1.vtp", "line\nbreak.vtp", "\x1b[2Jcleared.vtp", "\r.vtp", "<b>&amp;\"'.vtp", "%s%n.vtp", "...vtp", "~.vtp",
+         "=1+1.vtp", "line\nbreak.vtp", "\x1b[2Jcleared.vtp", "\r.vtp", "<b>&amp;\"'.vtp", "%s%n.vtp", "..x.vtp", "~.vtp",
          os.fsdecode(b"no text \xff.vtp"), " .vtp"]
 too_long = "x" * 250 + ".vtp"
 models, rounded = output / "models", output / "rounded"

@@ -68,7 +68,7 @@ expected = filtered(creature)
 
 # ------------------------------------------------------------------------------------------------ kinds of meshes
 result = ss.round(creature)
-assert type(result) is vtkPolyData and result is not creature
+assert type(result) is type(creature) and isinstance(result, vtkPolyData) and result is not creature
 assert same(points(result), points(expected)) and same(faces(result), faces(expected))
 assert not np.array_equal(points(result), before) and same(points(creature), before), "the mesh itself stays"
 names = [expected.GetPointData().GetArrayName(k) for k in range(expected.GetPointData().GetNumberOfArrays())]
