@@ -8,6 +8,7 @@
 #include "vtkFoldGuard.h"
 #include "vtkMovedSurface.h"
 #include "vtkProcesses.h"
+#include "vtkRestPose.h"
 #include "vtkStyleArrays.h"
 #include "vtkStyleHistory.h"
 #include "vtkStyleModel.h"
@@ -32,6 +33,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -97,9 +99,10 @@ struct vtkSphericalStyleFilter::Internals
 struct vtkSphericalStyleFilter::Execution
 {
   vtkStyleModel::Solved Model;
-  std::vector<char> Region;              // see vtkSurfaceRegion::Marks
-  Eigen::VectorXd RegionWeights;         // how much moves, n, or none for all
-  SphericalStyle::MethodOptions Options; // as wanted
+  std::shared_ptr<const SphericalStyle::TriangleMesh> Rest; // or nullptr
+  std::vector<char> Region;                                 // see vtkSurfaceRegion::Marks
+  Eigen::VectorXd RegionWeights;                            // how much moves, n, or none for all
+  SphericalStyle::MethodOptions Options;                    // as wanted
   SphericalStyle::StyleReport Report;
   vtkFoldGuard::Result Guarded; // empty without the guard
   Points Q;                     // the moved points; none where there is nothing to solve
@@ -117,7 +120,7 @@ struct vtkSphericalStyleFilter::Execution
 vtkSphericalStyleFilter::vtkSphericalStyleFilter()
   : Internal(std::make_shared<Internals>())
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(3);
   vtkStyleArrays::SetDefaults(this);
 }
@@ -142,6 +145,16 @@ void vtkSphericalStyleFilter::SetSelectionConnection(vtkAlgorithmOutput* selecti
 void vtkSphericalStyleFilter::SetSelectionData(vtkDataObject* selection)
 {
   this->SetInputData(SELECTION, selection);
+}
+
+void vtkSphericalStyleFilter::SetRestPoseConnection(vtkAlgorithmOutput* rest)
+{
+  this->SetInputConnection(REST_POSE, rest);
+}
+
+void vtkSphericalStyleFilter::SetRestPoseData(vtkPolyData* rest)
+{
+  this->SetInputData(REST_POSE, rest);
 }
 
 const char* vtkSphericalStyleFilter::GetAdvice()
@@ -173,7 +186,8 @@ const char* vtkSphericalStyleFilter::GetCenterPosition()
 
 int vtkSphericalStyleFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  const char* types[] = { "vtkDataSet", "vtkPointSet", "vtkSelection" }; // see IsSurface
+  // See IsSurface.
+  const char* types[] = { "vtkDataSet", "vtkPointSet", "vtkSelection", "vtkPolyData" };
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
   if (port != MODEL)
   {
@@ -211,7 +225,8 @@ bool vtkSphericalStyleFilter::WorksOnParts(
     o.anchor == SphericalStyle::Anchor::LastPoint || this->ReproduceThesis ||
     this->AvoidSelfIntersections || !this->WeldCoincidentPoints ||
     this->RefineLongEdges == vtkLongEdges::ALWAYS || this->AsksFor(vtkStyleArrays::REGION_MASK) ||
-    this->AsksFor(vtkStyleArrays::CENTER_ID) || vtkSelection::GetData(inputVector[SELECTION], 0);
+    this->AsksFor(vtkStyleArrays::CENTER_ID) || vtkSelection::GetData(inputVector[SELECTION], 0) ||
+    vtkPolyData::GetData(inputVector[REST_POSE], 0);
   // What differs between two processes counts as on the first one, which gathering leads to.
   std::vector<double> own = { needsWhole ? 1.0 : 0.0, this->Roundness, this->NormalBlend,
     static_cast<double>(this->NormalRadius), static_cast<double>(this->KeepSize),
@@ -316,6 +331,7 @@ bool vtkSphericalStyleFilter::CanPreview(vtkInformationVector** inputVector)
   return SphericalStyle::IsClosedForm(o) && o.anchor == SphericalStyle::Anchor::Centroid &&
     !this->ReproduceThesis && !this->AvoidSelfIntersections && this->WeldCoincidentPoints &&
     !asksForArrays && !vtkSelection::GetData(inputVector[SELECTION], 0) &&
+    !vtkPolyData::GetData(inputVector[REST_POSE], 0) &&
     !(givenNormals && this->DetailSize == 0.0 && this->NormalBlend > 0.0);
 }
 
@@ -415,7 +431,7 @@ void vtkSphericalStyleFilter::KeepBasis(
   Internals& internal, const Execution& e, vtkPolyData* input) const
 {
   const bool alone = !this->Controller || this->Controller->GetNumberOfProcesses() == 1;
-  if (!alone || !e.HasTriangles() || !e.Report.closedForm || e.Report.loop.aborted ||
+  if (!alone || e.Rest || !e.HasTriangles() || !e.Report.closedForm || e.Report.loop.aborted ||
     e.Surface().Mesh.P.rows() <= 2 * this->PreviewSize)
   {
     return;
@@ -452,9 +468,23 @@ void vtkSphericalStyleFilter::Take(vtkInformationVector** inputVector, Internals
   refinement.Length = this->MaximumEdgeLength;
   refinement.Region = this->GetInputArrayInformation(vtkStyleArrays::REGION_MASK);
   refinement.CenterId = this->GetInputArrayInformation(vtkStyleArrays::CENTER_ID);
-  e.Model = internal.Model.Update(this, vtkPolyData::GetData(inputVector[MODEL], 0),
-    vtkSelection::GetData(inputVector[SELECTION], 0), this->WeldCoincidentPoints, refinement,
-    processes);
+  vtkSmartPointer<vtkPolyData> model = vtkPolyData::GetData(inputVector[MODEL], 0);
+  vtkPolyData* rest = vtkPolyData::GetData(inputVector[REST_POSE], 0);
+  if (rest)
+  {
+    if (this->AvoidSelfIntersections || this->ReproduceThesis)
+    {
+      throw std::invalid_argument(
+        "With a rest pose, AvoidSelfIntersections and ReproduceThesis must be off");
+    }
+    model = vtkRestPose::AtRest(model, rest);
+  }
+  e.Model = internal.Model.Update(this, model, vtkSelection::GetData(inputVector[SELECTION], 0),
+    this->WeldCoincidentPoints, refinement, processes);
+  if (rest)
+  {
+    e.Rest = vtkRestPose::TakeBack(e.Model);
+  }
   const vtkSurfaceMesh& surface = e.Surface();
   e.Region =
     vtkSurfaceRegion::Marks(this, refinement.Region, e.Model.Selection, e.Model.Model, surface);
@@ -536,7 +566,7 @@ void vtkSphericalStyleFilter::Solve(Internals& internal, Execution& e)
       e.Q = e.Guarded.Positions;
       return;
     }
-    internal.Solver.SetMesh(e.Model.ShareMesh(), e.Part());
+    internal.Solver.SetMesh(e.Model.ShareMesh(), e.Part(), e.Rest);
     e.Report = internal.Solver.Solve(e.Options, goOn);
     e.Q = internal.Solver.TakePositions();
     if (e.RegionWeights.size() > 0)

@@ -23,6 +23,11 @@
  * Input port 2, optional: vtkSelection of points or cells of the model. Points outside keep their
  * bits.
  *
+ * Input port 3, optional: vtkPolyData, the rest pose of a model that moves, with the same points
+ * and cells: a time step of it, or a skin before it is posed. Grid, thickness, radius and split
+ * edges are those of the rest pose, so that nothing jitters and steps are faster [pose]. In closed
+ * form only, and not with AvoidSelfIntersections.
+ *
  * Input arrays to process, all optional, all of point data:
  *  - 0: normals, 3 components, used where NormalBlend > 0 with DetailSize 0 (default: the active
  *       normals, or computed ones; with DetailSize > 0 the base has normals of its own);
@@ -120,6 +125,7 @@
 #include <string> // for std::string
 
 class vtkPointSet;
+class vtkPolyData;
 class vtkProcesses;
 
 namespace SphericalStyle
@@ -195,6 +201,11 @@ public:
   /// What may move. @{
   void SetSelectionConnection(vtkAlgorithmOutput* selection);
   void SetSelectionData(vtkDataObject* selection);
+  /// @}
+
+  /// The model in its rest pose. @{
+  void SetRestPoseConnection(vtkAlgorithmOutput* rest);
+  void SetRestPoseData(vtkPolyData* rest);
   /// @}
 
   ///@{

@@ -29,7 +29,8 @@ enum InputPorts
   PROXY = 1,      // vtkConvexProxyDeformFilter
   REFERENCE = 1,  // vtkSurfaceMetrics
   STYLE_MESH = 1, // vtkNormalAnalogyFilter
-  SELECTION = 2
+  SELECTION = 2,
+  REST_POSE = 3
 };
 
 /// @throw std::invalid_argument "name must be ...; it is value"

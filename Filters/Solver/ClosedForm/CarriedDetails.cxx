@@ -56,12 +56,13 @@ Fields DetailCovariances(
   return S;
 }
 
-Fields DetailYields(const SurfaceGrid& grid, const Fields& S, const Points& ofBase,
-  const Points& carried, int threads)
+Fields DetailYields(const Fields& S, const DetailAreas& areas, int threads)
 {
-  const Points& atRest = grid.GetAreaVectors();
+  const Points& atRest = areas.atRest;
+  const Points& ofBase = areas.ofBase;
+  const Points& carried = areas.carried;
   const double usual = ofBase.rowwise().norm().sum() / atRest.rowwise().norm().sum();
-  const int samples = grid.GetNumberOfSamples();
+  const int samples = static_cast<int>(S.rows());
   Fields yields = Fields::Zero(samples, 2);
   ParallelFor(samples, threads,
     [&](int begin, int end)
@@ -86,10 +87,10 @@ Fields DetailYields(const SurfaceGrid& grid, const Fields& S, const Points& ofBa
   return yields;
 }
 
-void CarryDetails(const SurfaceGrid& grid, const Fields& smooth, const Points& P, const Points& B,
+void CarryDetails(const SurfaceGrid& grid, const Fields& smooth, const DetailPoints& points,
   const Points& moved, int threads, Points& positions, Matrices* rotations)
 {
-  const int n = static_cast<int>(P.rows());
+  const int n = static_cast<int>(points.P.rows());
   if (rotations)
   {
     rotations->resize(n);
@@ -101,12 +102,13 @@ void CarryDetails(const SurfaceGrid& grid, const Fields& smooth, const Points& P
     {
       const int begin = Packet * task;
       const int count = std::min(Packet, n - begin);
-      const Fields at = grid.AtPoints(smooth, P.middleRows(begin, count), 1);
+      const Fields at = grid.AtPoints(smooth, points.P.middleRows(begin, count), 1);
       Matrices R(count, Eigen::Matrix3d::Identity());
       FitRotations(at.data(), count, R.data());
       for (int i = 0; i < count; ++i)
       {
-        const Eigen::Vector3d detail = (P.row(begin + i) - B.row(begin + i)).transpose();
+        const Eigen::Vector3d detail =
+          (points.X.row(begin + i) - points.B.row(begin + i)).transpose();
         const double kept = CertainShare(Eigen::Map<const Eigen::Matrix3d>(at.row(i).data()), R[i]);
         positions.row(begin + i) = moved.row(begin + i) + kept * (R[i] * detail).transpose();
       }

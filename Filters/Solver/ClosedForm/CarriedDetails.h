@@ -17,6 +17,22 @@ struct BaseSlopes
   Points areaVectors; ///< samples x 3, as SurfaceGrid::AreaVectorsUnder
 };
 
+/// Points of a surface, n x 3 each.
+struct DetailPoints
+{
+  const Points& P; ///< in the grid
+  const Points& X; ///< in the pose that is rounded; P without one
+  const Points& B; ///< base of that
+};
+
+/// Area vectors at the samples, samples x 3 each.
+struct DetailAreas
+{
+  const Points& atRest;  ///< of X
+  const Points& ofBase;  ///< of B'
+  const Points& carried; ///< of P' before anything gives way
+};
+
 /// c, what is kept of details where their rotation is hardly determined.
 /// @param R  the rotation closest to S
 double CertainShare(const Eigen::Matrix3d& S, const Eigen::Matrix3d& R);
@@ -27,20 +43,17 @@ Fields DetailCovariances(
   const SurfaceGrid& grid, const BaseSlopes& before, const BaseSlopes& after, int threads);
 
 /// y_k and its square, samples x 2, in creases where details would fold.
-/// @param S  smoothed covariances at the samples @param ofBase, carried  area vectors of B' and of
-/// P' before anything gives way
-Fields DetailYields(const SurfaceGrid& grid, const Fields& S, const Points& ofBase,
-  const Points& carried, int threads);
+/// @param S  smoothed covariances at the samples
+Fields DetailYields(const Fields& S, const DetailAreas& areas, int threads);
 
-/// P' = B' + c R (P - B), before anything gives way.
-/// @param smooth  coefficients of the covariances @param P, B, moved  n x 3, of any points of the
-/// surface: at rest, of the base, B'
+/// P' = B' + c R (X - B), before anything gives way.
+/// @param smooth  coefficients of the covariances @param moved  B', n x 3
 /// @param rotations  R, n, unless it is nullptr
-void CarryDetails(const SurfaceGrid& grid, const Fields& smooth, const Points& P, const Points& B,
+void CarryDetails(const SurfaceGrid& grid, const Fields& smooth, const DetailPoints& points,
   const Points& moved, int threads, Points& positions, Matrices* rotations);
 
 /// Brings P' back toward B' where details give way.
-/// @param smooth  coefficients of the yields @param P, moved  see above
+/// @param smooth  coefficients of the yields @param P, moved  n x 3, in the grid and B'
 void GiveWay(const SurfaceGrid& grid, const Fields& smooth, const Points& P, const Points& moved,
   int threads, Points& positions);
 } // namespace SphericalStyle

@@ -299,10 +299,11 @@ ClosedFormResult ClosedFormPreview::Solve(const ClosedFormOptions& o, const Sphe
     const BaseSlopes after = this->SlopesOf(o, sphere, grid, slopes);
     const Fields smooth =
       grid.SmoothTwice(DetailCovariances(grid, slopes, after, o.threads), o.threads);
-    CarryDetails(grid, smooth, this->P, this->B, moved, o.threads, Q,
+    CarryDetails(grid, smooth, { this->P, this->P, this->B }, moved, o.threads, Q,
       o.keepRotations ? &result.rotations : nullptr);
-    const Fields yields = DetailYields(grid, grid.AtSamples(smooth, o.threads), after.areaVectors,
-      this->CarriedAreas(o, grid, smooth, after), o.threads);
+    const Points carried = this->CarriedAreas(o, grid, smooth, after);
+    const Fields yields = DetailYields(grid.AtSamples(smooth, o.threads),
+      { grid.GetAreaVectors(), after.areaVectors, carried }, o.threads);
     if (!yields.isZero(0.0))
     {
       GiveWay(grid, grid.Smooth(yields, o.threads), this->P, moved, o.threads, Q);

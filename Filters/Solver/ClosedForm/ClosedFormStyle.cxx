@@ -37,31 +37,57 @@ struct BaseKey
   bool operator==(const BaseKey& other) const { return this->detailSize == other.detailSize; }
 };
 
-/// B and what it is made with; nothing with detail size 0.
-struct SmoothBase
+/// What makes B of positions; nothing with detail size 0.
+struct Smoother
 {
   SurfaceGrid Grid;
   int Walls = 0;
+  std::vector<std::pair<int, double>> Unknown; // points whose e_i is less than 1, and e_i
+};
+
+/// Nothing with detail size 0.
+struct SmoothBase
+{
   Points B;
   BaseSlopes Slopes;
 };
 
-/// Of what depends on nothing but the base.
-struct OfBase
+/// Of the pose that is shown.
+struct OfPose
 {
-  int base; // version
+  int pose;
 
-  bool operator==(const OfBase& other) const { return this->base == other.base; }
+  bool operator==(const OfPose& other) const { return this->pose == other.pose; }
+};
+
+/// Of that and of what has smoothed it.
+struct PosedKey
+{
+  int smoother; // version
+  int pose;
+
+  bool operator==(const PosedKey& other) const
+  {
+    return this->smoother == other.smoother && this->pose == other.pose;
+  }
+};
+
+/// Of what depends on nothing but one thing made before.
+struct OfVersion
+{
+  int version;
+
+  bool operator==(const OfVersion& other) const { return this->version == other.version; }
 };
 
 struct ThicknessKey
 {
-  int base;      // version
+  int smoother;  // version
   double radius; // that bounds it
 
   bool operator==(const ThicknessKey& other) const
   {
-    return this->base == other.base && this->radius == other.radius;
+    return this->smoother == other.smoother && this->radius == other.radius;
   }
 };
 
@@ -112,10 +138,11 @@ struct LengthKey
 {
   KeepSize keep;
   int upAxis;
+  int pose;
 
   bool operator==(const LengthKey& other) const
   {
-    return this->keep == other.keep && this->upAxis == other.upAxis;
+    return this->keep == other.keep && this->upAxis == other.upAxis && this->pose == other.pose;
   }
 };
 
@@ -167,14 +194,20 @@ class ClosedFormStyle::State
 {
 public:
   const Points* P = nullptr;
+  const Points* X = nullptr; // the pose; P where there is none
+  int Pose = 0;              // another one for every pose
   const Triangles* F = nullptr;
   SurfacePart Part;
-  Stage<OfMesh, Eigen::VectorXd> Areas; // of the points
-  Stage<OfMesh, Triangles> Turned;      // facing outward; none where they do already
-  Stage<LengthKey, double> RestLength;  // of the whole model
-  Stage<BaseKey, SmoothBase> Base;
-  Stage<OfBase, Points> OwnNormals; // of the base
+  // Of the mesh.
+  Stage<OfMesh, Triangles> Turned; // facing outward; none where they do already
+  Stage<BaseKey, Smoother> Smooth;
+  Stage<OfVersion, Points> RestBase; // none without a pose
   Stage<ThicknessKey, Eigen::VectorXd> Thickness;
+  // Of the pose.
+  Stage<OfPose, Eigen::VectorXd> Areas; // of the points
+  Stage<LengthKey, double> RestLength;  // of the whole model
+  Stage<PosedKey, SmoothBase> Base;
+  Stage<OfVersion, Points> OwnNormals;  // of the base
   Stage<SphereKey, Sphere> WholeSphere; // of the whole base
   Stage<SharesKey, CenterJoints> Joints;
   Stage<PreviewKey, ClosedFormPreview> Preview;
@@ -183,14 +216,19 @@ public:
   int Steps = 0;
   ClosedFormResult Result;
 
-  const Points& GetBase() const { return this->HasDetails() ? this->Base->B : *this->P; }
-  bool HasDetails() const { return this->Base->Grid.GetNumberOfFunctions() > 0; }
+  const Points& GetBase() const { return this->HasDetails() ? this->Base->B : *this->X; }
+  const Points& GetRestBase(const ClosedFormOptions& o);
+  bool IsPosed() const { return this->X != this->P; }
+  const SurfaceGrid& GetGrid() const { return this->Smooth->Grid; }
+  bool HasDetails() const { return this->GetGrid().GetNumberOfFunctions() > 0; }
   void Start(const Callback& callback);
   void Step();
   const Triangles& Outward();
   void UpdateBase(const ClosedFormOptions& o, ClosedFormReport& report);
+  void MakeSmoother(const ClosedFormOptions& o, Smoother& smoother);
+  void FindUnknown(int threads, Smoother& smoother) const;
+  Points BaseOf(const Points& positions, int threads) const;
   void MakeBase(const ClosedFormOptions& o, SmoothBase& base);
-  void KeepWhatIsUnknown(int threads, SmoothBase& base) const;
   const Points& Normals(const ClosedFormOptions& o);
   void MakeNormals(int threads, Points& normals) const;
   void UpdateThickness(const ClosedFormOptions& o, double radius);
@@ -244,51 +282,95 @@ const Triangles& ClosedFormStyle::State::Outward()
 void ClosedFormStyle::State::UpdateBase(const ClosedFormOptions& o, ClosedFormReport& report)
 {
   const Stopwatch watch;
-  this->Base.Update({ o.detailSize }, [&](SmoothBase& base) { this->MakeBase(o, base); });
-  report.functions = this->Base->Grid.GetNumberOfFunctions();
-  report.spacing = this->Base->Grid.GetSpacing();
-  report.coarser = this->HasDetails() && this->Base->Grid.IsCoarser();
-  report.walls = this->Base->Walls;
+  this->Smooth.Update({ o.detailSize }, [&](Smoother& made) { this->MakeSmoother(o, made); });
+  this->Base.Update(
+    { this->Smooth.GetVersion(), this->Pose }, [&](SmoothBase& base) { this->MakeBase(o, base); });
+  report.functions = this->GetGrid().GetNumberOfFunctions();
+  report.spacing = this->GetGrid().GetSpacing();
+  report.coarser = this->HasDetails() && this->GetGrid().IsCoarser();
+  report.walls = this->Smooth->Walls;
   report.baseSeconds += watch.Seconds();
 }
 
-void ClosedFormStyle::State::MakeBase(const ClosedFormOptions& o, SmoothBase& base)
+void ClosedFormStyle::State::MakeSmoother(const ClosedFormOptions& o, Smoother& smoother)
 {
-  base = {}; // its memory is needed
+  smoother = {}; // its memory is needed
   if (o.detailSize == 0.0)
   {
     return;
   }
   const Triangles& outward = this->Outward();
   this->Step();
-  base.Grid = SurfaceGrid(*this->P, outward, o.detailSize, o.threads, this->Part);
+  SurfaceGrid& grid = smoother.Grid;
+  grid = SurfaceGrid(*this->P, outward, o.detailSize, o.threads, this->Part);
   this->Step();
-  const std::vector<GridPair> walls =
-    FindWalls(base.Grid, *this->P, outward, o.threads, this->Part);
-  base.Walls = static_cast<int>(walls.size());
+  const std::vector<GridPair> walls = FindWalls(grid, *this->P, outward, o.threads, this->Part);
+  smoother.Walls = static_cast<int>(walls.size());
   this->Step();
-  base.Grid.Factor(walls, o.threads);
-  this->Step();
-  const Fields smooth = base.Grid.SmoothTwice(base.Grid.GetPlaces(), o.threads);
-  base.B = base.Grid.AtPoints(smooth, *this->P, o.threads);
-  this->KeepWhatIsUnknown(o.threads, base);
-  base.Slopes.gradients = base.Grid.Gradients(base.B, o.threads);
-  base.Slopes.areaVectors = base.Grid.AreaVectorsUnder(base.Slopes.gradients, o.threads);
+  grid.Factor(walls, o.threads);
+  this->FindUnknown(o.threads, smoother);
   this->Step();
 }
 
 /// A loose part may be so small that the ridge of A_s outweighs it: what is smoothed there becomes
 /// 0. Where the field 1 does not stay 1, the base is the model.
-void ClosedFormStyle::State::KeepWhatIsUnknown(int threads, SmoothBase& base) const
+void ClosedFormStyle::State::FindUnknown(int threads, Smoother& smoother) const
 {
-  const Fields ones = Fields::Ones(base.Grid.GetNumberOfSamples(), 1);
-  const Fields known = base.Grid.AtPoints(base.Grid.SmoothTwice(ones, threads), *this->P, threads);
+  const SurfaceGrid& grid = smoother.Grid;
+  const Fields ones = Fields::Ones(grid.GetNumberOfSamples(), 1);
+  const Fields known = grid.AtPoints(grid.SmoothTwice(ones, threads), *this->P, threads);
   for (Eigen::Index i = 0; i < known.rows(); ++i)
   {
     const double share =
       std::clamp(MostKnown - LossOfKnown * std::abs(1.0 - known(i, 0)), 0.0, 1.0);
-    base.B.row(i) = this->P->row(i) + share * (base.B.row(i) - this->P->row(i));
+    if (share < 1.0)
+    {
+      smoother.Unknown.emplace_back(static_cast<int>(i), share);
+    }
   }
+}
+
+/// @param positions  of the points, in any pose
+Points ClosedFormStyle::State::BaseOf(const Points& positions, int threads) const
+{
+  const SurfaceGrid& grid = this->GetGrid();
+  const bool atRest = &positions == this->P; // then it is known where the samples are
+  const Fields places = atRest ? Fields(grid.GetPlaces()) : grid.Means(positions, threads);
+  Points B = grid.AtPoints(grid.SmoothTwice(places, threads), *this->P, threads);
+  for (const auto& [i, share] : this->Smooth->Unknown)
+  {
+    B.row(i) = positions.row(i) + share * (B.row(i) - positions.row(i));
+  }
+  return B;
+}
+
+void ClosedFormStyle::State::MakeBase(const ClosedFormOptions& o, SmoothBase& base)
+{
+  base = {}; // its memory is needed
+  if (!this->HasDetails())
+  {
+    return;
+  }
+  base.B = this->BaseOf(*this->X, o.threads);
+  base.Slopes.gradients = this->GetGrid().Gradients(base.B, o.threads);
+  base.Slopes.areaVectors = this->GetGrid().AreaVectorsUnder(base.Slopes.gradients, o.threads);
+  this->Step();
+}
+
+/// That of the mesh, whatever the pose.
+const Points& ClosedFormStyle::State::GetRestBase(const ClosedFormOptions& o)
+{
+  if (!this->IsPosed())
+  {
+    return this->GetBase();
+  }
+  if (!this->HasDetails())
+  {
+    return *this->P;
+  }
+  this->RestBase.Update(
+    { this->Smooth.GetVersion() }, [&](Points& base) { base = this->BaseOf(*this->P, o.threads); });
+  return this->RestBase.Get();
 }
 
 /// Those of the base; without details, those that are given.
@@ -307,7 +389,7 @@ const Points& ClosedFormStyle::State::Normals(const ClosedFormOptions& o)
       }
       else
       {
-        normals = PointNormals(*this->P, this->Outward(), this->Part);
+        normals = PointNormals(*this->X, this->Outward(), this->Part);
       }
     });
   return this->OwnNormals.Get();
@@ -315,12 +397,12 @@ const Points& ClosedFormStyle::State::Normals(const ClosedFormOptions& o)
 
 void ClosedFormStyle::State::MakeNormals(int threads, Points& normals) const
 {
-  const SmoothBase& base = this->Base.Get();
-  const Points& areaVectors = base.Slopes.areaVectors;
+  const Points& areaVectors = this->Base->Slopes.areaVectors;
   Fields means(areaVectors.rows(), 4);
   means << areaVectors, areaVectors.rowwise().norm();
-  means = base.Grid.GetWeights().cwiseInverse().asDiagonal() * means;
-  const Fields smooth = base.Grid.AtPoints(base.Grid.Smooth(means, threads), *this->P, threads);
+  const SurfaceGrid& grid = this->GetGrid();
+  means = grid.GetWeights().cwiseInverse().asDiagonal() * means;
+  const Fields smooth = grid.AtPoints(grid.Smooth(means, threads), *this->P, threads);
   normals = Points::Zero(smooth.rows(), 3);
   for (Eigen::Index i = 0; i < smooth.rows(); ++i)
   {
@@ -338,9 +420,9 @@ void ClosedFormStyle::State::UpdateThickness(const ClosedFormOptions& o, double 
   const auto make = [&](Eigen::VectorXd& thickness)
   {
     thickness =
-      LimbThickness(*this->P, this->GetBase(), this->Outward(), radius, o.threads, this->Part);
+      LimbThickness(*this->P, this->GetRestBase(o), this->Outward(), radius, o.threads, this->Part);
   };
-  if (this->Thickness.Update({ this->Base.GetVersion(), radius }, make))
+  if (this->Thickness.Update({ this->Smooth.GetVersion(), radius }, make))
   {
     this->Step();
   }
@@ -388,6 +470,12 @@ Sphere ClosedFormStyle::State::SphereOfAll(const ClosedFormOptions& o)
     {
       sphere =
         TargetSphere(this->GetBase(), *this->F, o.centerMode, o.radiusMode, o.custom, this->Part);
+      if (this->IsPosed())
+      {
+        sphere.radius = TargetSphere(
+          this->GetRestBase(o), *this->F, o.centerMode, o.radiusMode, o.custom, this->Part)
+                          .radius;
+      }
     });
   // Custom modes take what is given, and say what is wrong with it.
   const Sphere& known = this->WholeSphere.Get();
@@ -404,7 +492,17 @@ std::vector<Sphere> ClosedFormStyle::State::Spheres(const ClosedFormOptions& o)
   {
     return { this->SphereOfAll(o) };
   }
-  return SpheresOfCenters(this->GetBase(), *this->F, o, this->Part);
+  std::vector<Sphere> spheres = SpheresOfCenters(this->GetBase(), *this->F, o, this->Part);
+  if (this->IsPosed())
+  {
+    const std::vector<Sphere> atRest =
+      SpheresOfCenters(this->GetRestBase(o), *this->F, o, this->Part);
+    for (std::size_t k = 0; k < spheres.size(); ++k)
+    {
+      spheres[k].radius = atRest[k].radius;
+    }
+  }
+  return spheres;
 }
 
 /// t = (T - O) / r for one center [toy].
@@ -527,40 +625,41 @@ void ClosedFormStyle::State::BlendBase(const ClosedFormOptions& o, Points& targe
 /// @param moved  B'
 void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o, Points moved)
 {
-  const Points& P0 = *this->P;
   this->Result.rotations.clear();
   if (!this->HasDetails())
   {
     this->Result.positions = std::move(moved);
     if (o.keepRotations)
     {
-      this->Result.rotations.assign(P0.rows(), Eigen::Matrix3d::Identity());
+      this->Result.rotations.assign(this->P->rows(), Eigen::Matrix3d::Identity());
     }
     return;
   }
   const SmoothBase& base = this->Base.Get();
-  const SurfaceGrid& grid = base.Grid;
+  const SurfaceGrid& grid = this->GetGrid();
   BaseSlopes after;
   after.gradients = grid.Gradients(moved, o.threads);
   after.areaVectors = grid.AreaVectorsUnder(after.gradients, o.threads);
   const Fields smooth =
     grid.SmoothTwice(DetailCovariances(grid, base.Slopes, after, o.threads), o.threads);
   Points& positions = this->Result.positions;
-  SphericalStyle::CarryDetails(grid, smooth, P0, base.B, moved, o.threads, positions,
-    o.keepRotations ? &this->Result.rotations : nullptr);
-  const Points carried = grid.AreaVectorsUnder(grid.Gradients(positions, o.threads), o.threads);
-  const Fields yields =
-    DetailYields(grid, grid.AtSamples(smooth, o.threads), after.areaVectors, carried, o.threads);
+  SphericalStyle::CarryDetails(grid, smooth, { *this->P, *this->X, base.B }, moved, o.threads,
+    positions, o.keepRotations ? &this->Result.rotations : nullptr);
+  const auto areasOf = [&](const Points& points)
+  { return grid.AreaVectorsUnder(grid.Gradients(points, o.threads), o.threads); };
+  const Points before = this->IsPosed() ? areasOf(*this->X) : grid.GetAreaVectors();
+  const Fields yields = DetailYields(grid.AtSamples(smooth, o.threads),
+    { before, after.areaVectors, areasOf(positions) }, o.threads);
   if (!yields.isZero(0.0))
   {
-    GiveWay(grid, grid.Smooth(yields, o.threads), P0, moved, o.threads, positions);
+    GiveWay(grid, grid.Smooth(yields, o.threads), *this->P, moved, o.threads, positions);
   }
 }
 
 /// [size], and what stays where it is.
 void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport& report)
 {
-  const Points& P0 = *this->P;
+  const Points& P0 = *this->X;
   const bool moveAll = !o.HasFixedPoints(this->Part);
   const MovedPart moved =
     moveAll ? AllPoints(P0.rows()) : PartOf(*this->F, P0.rows(), o.fixedPoints);
@@ -572,7 +671,8 @@ void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport&
     return;
   }
   const Triangles& F0 = moveAll ? *this->F : moved.F;
-  this->Areas.Update({}, [&](Eigen::VectorXd& areas) { areas = PointAreas(P0, *this->F); });
+  this->Areas.Update(
+    { this->Pose }, [&](Eigen::VectorXd& areas) { areas = PointAreas(P0, *this->F); });
   const Eigen::VectorXd& areas = this->Areas.Get();
   Eigen::RowVector4d sums = Eigen::RowVector4d::Zero(); // with the areas
   for (const int i : members)
@@ -596,7 +696,7 @@ void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport&
   if (moveAll)
   {
     this->RestLength.Update(
-      { o.size.keep, o.size.upAxis }, [&](double& length) { length = measure(); });
+      { o.size.keep, o.size.upAxis, this->Pose }, [&](double& length) { length = measure(); });
     before = this->RestLength.Get();
   }
   else
@@ -625,7 +725,14 @@ void ClosedFormStyle::SetEqualMesh(const Points& P, const Triangles& F, SurfaceP
 {
   this->S->Part = std::move(part);
   this->S->P = &P;
+  this->S->X = &P;
   this->S->F = &F;
+}
+
+void ClosedFormStyle::SetPose(const Points& X, bool changed)
+{
+  this->S->X = &X;
+  this->S->Pose += changed ? 1 : 0;
 }
 
 ClosedFormResult ClosedFormStyle::TakeResult()
@@ -663,7 +770,7 @@ ClosedFormReport ClosedFormStyle::Preview(const std::shared_ptr<const PreviewPla
   const bool limbs = options.normalBlend > 0.0;
   const bool own = limbs && options.normalRadius == NormalRadius::OwnThickness;
   const Points* normals = limbs ? &s.Normals(options) : nullptr;
-  if (own && s.Thickness.GetKey().base != s.Base.GetVersion())
+  if (own && s.Thickness.GetKey().smoother != s.Smooth.GetVersion())
   {
     s.UpdateThickness(options, sphere.radius);
   }
@@ -673,11 +780,11 @@ ClosedFormReport ClosedFormStyle::Preview(const std::shared_ptr<const PreviewPla
     {
       preview = {};
       preview = ClosedFormPreview(
-        { *s.P, *s.F, s.GetBase(), s.Base->Grid, normals, own ? &s.Thickness.Get() : nullptr },
+        { *s.P, *s.F, s.GetBase(), s.GetGrid(), normals, own ? &s.Thickness.Get() : nullptr },
         *places, options.threads);
     });
   s.Step();
-  s.Result = s.Preview->Solve(options, sphere, s.Base->Grid, s.Base->Slopes, report.scale);
+  s.Result = s.Preview->Solve(options, sphere, s.GetGrid(), s.Base->Slopes, report.scale);
   report.carrySeconds = watch.Seconds();
   return report;
 }
@@ -693,7 +800,7 @@ ClosedFormReport ClosedFormStyle::Carry(
   Points moved = Q;
   if (s.HasDetails())
   {
-    const SurfaceGrid& grid = s.Base->Grid;
+    const SurfaceGrid& grid = s.GetGrid();
     const Fields base = grid.SmoothTwice(grid.Means(Q, options.threads), options.threads);
     moved = grid.AtPoints(base, *s.P, options.threads);
   }

@@ -131,6 +131,9 @@ public:
   void SetMesh(const Points& P, const Triangles& F, SurfacePart part = {});
   /// The same mesh at another place in memory: everything is kept.
   void SetEqualMesh(const Points& P, const Triangles& F, SurfacePart part = {});
+  /// Rounds the points of the mesh where they are now [pose], until SetMesh or SetEqualMesh.
+  /// @param X  n x 3, must outlive this @param changed  whether they have moved since the last call
+  void SetPose(const Points& X, bool changed);
   /// @param callback  asked after each step, with its number; what is done is kept for the next
   /// solve @throw std::invalid_argument, SolverError, PartWithoutSphere, SolveAborted
   ClosedFormReport Solve(const ClosedFormOptions& options, const Callback& callback = {});

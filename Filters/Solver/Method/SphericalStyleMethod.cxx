@@ -49,32 +49,54 @@ void SphericalStyleMethod::SetMesh(const TriangleMesh& mesh)
   this->SetMesh(std::make_shared<const TriangleMesh>(mesh));
 }
 
-void SphericalStyleMethod::SetMesh(std::shared_ptr<const TriangleMesh> mesh, SurfacePart part)
+void SphericalStyleMethod::SetMesh(std::shared_ptr<const TriangleMesh> mesh, SurfacePart part,
+  std::shared_ptr<const TriangleMesh> rest)
 {
   if (part.Max(mesh->F.rows() > 0 ? 1.0 : 0.0) == 0.0)
   {
     throw std::invalid_argument("the mesh has no triangle");
   }
-  const bool equal =
-    this->Mesh && this->Part.IsWhole() == part.IsWhole() && Equal(*this->Mesh, *mesh);
-  if (part.Max(equal ? 0.0 : 1.0) == 0.0)
+  if (rest && (rest->P.rows() != mesh->P.rows() || rest->F != mesh->F))
   {
-    this->Mesh = std::move(mesh); // it may be the only one left
-    this->Part = std::move(part);
-    this->Closed.SetEqualMesh(this->P, this->Mesh->F, this->Part);
-    return;
+    throw std::invalid_argument("the rest pose has other triangles than the mesh");
   }
-  if (!mesh->P.allFinite())
+  const TriangleMesh* kept = this->Rest ? this->Rest.get() : this->Mesh.get();
+  const bool equal = kept && !this->Rest == !rest && this->Part.IsWhole() == part.IsWhole() &&
+    Equal(*kept, rest ? *rest : *mesh);
+  const bool known = part.Max(equal ? 0.0 : 1.0) == 0.0;
+  const bool moved = !known || (rest && !Equal(*this->Mesh, *mesh));
+  if (moved)
   {
-    throw std::invalid_argument("a point is not finite");
+    if (!mesh->P.allFinite() || (rest && !rest->P.allFinite()))
+    {
+      throw std::invalid_argument("a point is not finite");
+    }
+    ++this->MeshGeneration;
+    this->Mesh.reset(); // should a line below throw, the next mesh is another one
+    this->Rest.reset();
   }
-  ++this->MeshGeneration;
-  this->Mesh.reset();
   this->Part = std::move(part);
-  this->MeshFrame = FrameOf(mesh->P, this->Part);
-  this->P = this->MeshFrame.Into(mesh->P);
-  this->Closed.SetMesh(this->P, mesh->F, this->Part);
-  this->Mesh = std::move(mesh); // last: should a line above throw, the next mesh is another one
+  const TriangleMesh& still = rest ? *rest : *mesh;
+  if (known)
+  {
+    this->Closed.SetEqualMesh(this->P, still.F, this->Part);
+  }
+  else
+  {
+    this->MeshFrame = FrameOf(still.P, this->Part);
+    this->P = this->MeshFrame.Into(still.P);
+    this->Closed.SetMesh(this->P, still.F, this->Part);
+  }
+  if (rest)
+  {
+    if (moved)
+    {
+      this->X = this->MeshFrame.Into(mesh->P);
+    }
+    this->Closed.SetPose(this->X, moved);
+  }
+  this->Mesh = std::move(mesh); // one of those that are equal may be the only one left
+  this->Rest = std::move(rest);
 }
 
 ClosedFormOptions SphericalStyleMethod::InFrame(const MethodOptions& o) const
@@ -160,6 +182,11 @@ void SphericalStyleMethod::StayAtRest(const MethodOptions& o)
 void SphericalStyleMethod::SolveEnergy(
   const MethodOptions& o, const Callback& callback, StyleReport& report)
 {
+  if (this->Rest)
+  {
+    throw std::invalid_argument(
+      "a rest pose needs the closed form: no energy is minimized with it");
+  }
   ClosedFormOptions inFrame = this->InFrame(o);
   StyleOptions rigid = o;
   const Stopwatch watch;

@@ -40,9 +40,12 @@ public:
   /// Takes the mesh; an equal one changes nothing.
   /// @param part  of a surface that is spread over processes, whose closed form alone is there
   /// then; where one process fails, all need a new SphericalStyleMethod
+  /// @param rest  the mesh in its rest pose, with the same triangles, or nullptr: what is made of
+  /// it is kept while the mesh moves [pose]; the closed form alone is there then
   /// @throw std::invalid_argument for a mesh without triangles, points that are not finite or all
-  /// equal
-  void SetMesh(std::shared_ptr<const TriangleMesh> mesh, SurfacePart part = {});
+  /// equal, a rest pose of another mesh
+  void SetMesh(std::shared_ptr<const TriangleMesh> mesh, SurfacePart part = {},
+    std::shared_ptr<const TriangleMesh> rest = nullptr);
   /// The same with a copy of it.
   void SetMesh(const TriangleMesh& mesh);
   /// Counts the meshes that were not equal to the one before.
@@ -83,9 +86,11 @@ private:
   Points Take(const MethodOptions& options, const ClosedFormReport& closed, StyleReport& report);
 
   std::shared_ptr<const TriangleMesh> Mesh; // none at first, and where SetMesh has thrown
+  std::shared_ptr<const TriangleMesh> Rest; // none without a rest pose
   SurfacePart Part;
   Frame MeshFrame;
-  Points P; // in the frame
+  Points P; // of the rest pose or the mesh, in the frame
+  Points X; // of the mesh, in the frame; none without a rest pose
   int MeshGeneration = 0;
   ClosedFormStyle Closed;
   StyleSolver Energy;
