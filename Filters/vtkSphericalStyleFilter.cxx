@@ -18,7 +18,6 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -191,27 +190,13 @@ int vtkSphericalStyleFilter::RequestPart(
   {
     return WHOLE_IS_NEEDED;
   }
-  vtkPolyData* model = vtkPolyData::GetData(inputVector[MODEL], 0);
-  if (!model->GetPoints())
+  const int outcome = this->RunOnParts(inputVector, outputVector, *processes,
+    [&] { this->Execute(inputVector, outputVector, processes); });
+  if (outcome == PART_FAILED)
   {
-    model->SetPoints(vtkNew<vtkPoints>());
+    this->ReleaseCache(); // another process may have less of it
   }
-  std::string failure;
-  try
-  {
-    const auto execute = [&] { this->Execute(inputVector, outputVector, processes); };
-    if (processes->Run(execute, model->GetNumberOfPoints() > 0, failure))
-    {
-      return PART_DONE;
-    }
-  }
-  catch (const SphericalStyle::WholeSurfaceNeeded&)
-  {
-    return WHOLE_IS_NEEDED;
-  }
-  this->ReleaseCache(); // another process may have less of it
-  ReportFailure(this, outputVector, failure.c_str());
-  return PART_FAILED;
+  return outcome;
 }
 
 int vtkSphericalStyleFilter::Execute(vtkInformationVector** inputVector,

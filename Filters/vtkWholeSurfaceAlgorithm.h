@@ -38,10 +38,12 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for vtkSmartPointer
 
-#include <memory> // for std::unique_ptr
-#include <vector> // for std::vector
+#include <functional> // for std::function
+#include <memory>     // for std::unique_ptr
+#include <vector>     // for std::vector
 
 class vtkMultiProcessController;
+class vtkProcesses;
 
 class SPHERICALSTYLEFILTERS_EXPORT vtkWholeSurfaceAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -75,6 +77,11 @@ protected:
   /// RequestData on all processes at once, each with its part at port 0. All return the same. By
   /// default the whole is needed.
   virtual int RequestPart(vtkInformationVector**, vtkInformationVector*);
+  /// The rest of RequestPart once it is agreed that parts will do. To be called by all.
+  /// @param execute  talks to the others through `processes`; may throw
+  /// @return PartOutcomes, the same on all; PART_FAILED with a message and empty outputs
+  int RunOnParts(vtkInformationVector** inputs, vtkInformationVector* outputs,
+    const vtkProcesses& processes, const std::function<void()>& execute);
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
