@@ -160,21 +160,14 @@ bool vtkSphericalStyleFilter::WorksOnParts(
     this->RefineLongEdges == vtkLongEdges::ALWAYS || asksFor(vtkStyleArrays::REGION_MASK) ||
     asksFor(vtkStyleArrays::CENTER_ID) || vtkSelection::GetData(inputVector[SELECTION], 0);
   // What differs between two processes counts as on the first one, which gathering leads to.
-  std::vector<double> own = { needsWhole ? 1.0 : 0.0, this->Roundness, this->NormalBlend,
-    static_cast<double>(this->NormalRadius), static_cast<double>(this->KeepSize),
-    this->KeepOnGround ? 1.0 : 0.0, static_cast<double>(this->UpAxis),
-    static_cast<double>(this->CenterMode), this->Center[0], this->Center[1], this->Center[2],
-    static_cast<double>(this->RadiusMode), this->Radius, this->DetailSize,
-    static_cast<double>(this->RefineLongEdges), this->GenerateRotation ? 1.0 : 0.0,
-    this->GenerateNormals ? 1.0 : 0.0, this->TransformAllInputVectors ? 1.0 : 0.0 };
-  const std::vector<double> all = processes.Concatenate(own);
-  own.front() = 0.0;
-  bool works = true;
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    works &= all[i] == own[i % own.size()];
-  }
-  return works;
+  return processes.AreAlike({ needsWhole ? 1.0 : 0.0, this->Roundness, this->NormalBlend,
+           static_cast<double>(this->NormalRadius), static_cast<double>(this->KeepSize),
+           this->KeepOnGround ? 1.0 : 0.0, static_cast<double>(this->UpAxis),
+           static_cast<double>(this->CenterMode), this->Center[0], this->Center[1], this->Center[2],
+           static_cast<double>(this->RadiusMode), this->Radius, this->DetailSize,
+           static_cast<double>(this->RefineLongEdges), this->GenerateRotation ? 1.0 : 0.0,
+           this->GenerateNormals ? 1.0 : 0.0, this->TransformAllInputVectors ? 1.0 : 0.0 }) &&
+    !needsWhole;
 }
 
 int vtkSphericalStyleFilter::RequestPart(

@@ -6,10 +6,10 @@
  *
  * With several processes (MPI) and a vtkPolyData at input port 0 of which another process than the
  * first has a part, the parts are gathered on the first process, the filter runs there once, and
- * each process gets its part of the result (a filter that can do without, as
- * vtkSphericalStyleFilter in closed form, works on all processes at once instead, each with its
- * part): its points, cells, order and arrays, vtkGhostType and global ids included. The result is
- * that of one process up to rounding.
+ * each process gets its part of the result: its points, cells, order and arrays, vtkGhostType and
+ * global ids included. The result is that of one process up to rounding. Filters that can do
+ * without (vtkSphericalStyleFilter in closed form, vtkSurfaceMetrics, vtkGaussMapFilter) work on
+ * all processes at once instead, each with its part; see RequestPart.
  *
  * Parts meet where they have points of the same global id, or, where a part has no global ids,
  * points with the same coordinates to the last bit. Of cells marked as duplicates in vtkGhostType
