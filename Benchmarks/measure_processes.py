@@ -3,7 +3,7 @@
 """What rounding a surface that is spread over the processes of MPI costs, beside rounding it in one.
 
     mpirun -np 4 pvbatch --sym measure_processes.py [--halvings 0 1 2 3 4] [--detail-size 0.06] [--repeat 5]
-                                                    [--parts slices boxes scattered one] [--limit]
+                                                    [--parts slices boxes scattered one] [--limit] [--measures]
 
 The creature of Data/ with its edges halved, in parts over the processes: slices along x, boxes of a kd-tree, triangles
 at random, or all on the last process. Each process also has the whole. Times are those that
@@ -16,6 +16,9 @@ and the largest difference of a point from the result of one process, as a fract
 --limit shows what a surface needs that is too large for one process: it gathers the surface, then limits the address
 space of each process to what it has and a third of what that took, and rounds the surface in parts and gathered again.
 No process has the whole then.
+
+--measures takes vtkSurfaceMetrics and vtkGaussMapFilter instead, the first with the model before as the reference, and
+says for each the times alone and spread, the memory and the most kB sent and received.
 """
 import argparse
 import pathlib
@@ -31,7 +34,7 @@ from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
-from sphericalstyle import vtkSphericalStyleFilter, vtkThesisStyleFilter
+from sphericalstyle import vtkGaussMapFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics, vtkThesisStyleFilter
 
 CREATURE = pathlib.Path(__file__).parent.parent / "Data" / "creature.vtp"
 controller = vtkMultiProcessController.GetGlobalController()
@@ -146,6 +149,43 @@ def execute(data, mpi, arguments, again=False):
             style.GetOutput())
 
 
+def measured(Filter, data, mpi):
+    """Milliseconds, peak of memory in MB, and kB sent and received of a filter that measures."""
+    filter_ = Filter()
+    filter_.SetController(mpi)
+    filter_.SetInputData(data)
+    if Filter is vtkSurfaceMetrics:
+        filter_.SetReferenceData(data)
+    controller.Barrier()
+    before = memory("VmRSS")
+    forget_peak()
+    start = time.process_time()
+    filter_.Update()
+    used = 1e3 * (time.process_time() - start)
+    table = filter_.GetOutputDataObject(filter_.GetNumberOfOutputPorts() - 1)
+    array = table.GetFieldData().GetArray("BytesExchanged")
+    return used, memory("VmHWM") - before, vtk_to_numpy(array).max(axis=0) / 1e3 if array else np.zeros(2)
+
+
+def measure_measures(arguments):
+    """Prints a line for each filter."""
+    if RANK == 0:
+        print(f"{RANKS} processes\n   points      parts              filter    alone   spread  MB alone   MB most"
+              "   kB sent  kB received", flush=True)
+    for times in arguments.halvings:
+        for kind in arguments.parts:
+            points, triangles = halved(times)
+            whole, piece = surface(points, triangles), part_of(points, triangles, kind)[0]
+            for Filter in (vtkSurfaceMetrics, vtkGaussMapFilter):
+                used, peak, exchanged = measured(Filter, piece, controller)
+                alone, peak_alone, _ = measured(Filter, whole if RANK == 0 else vtkPolyData(), None)
+                used = over_all(used, vtkCommunicator.SUM_OP)
+                peak = over_all(peak, vtkCommunicator.MAX_OP)
+                if RANK == 0:
+                    print(f"{len(points):9d}{kind:>11s}{Filter.__name__:>20s}{alone:9.0f}{used:9.0f}{peak_alone:10.0f}"
+                          f"{peak:10.0f}{exchanged[0]:10.0f}{exchanged[1]:13.0f}", flush=True)
+
+
 def try_to_round(part, gathered):
     """The peak of memory in MB, and what came out, in words."""
     style = (vtkThesisStyleFilter if gathered else vtkSphericalStyleFilter)()
@@ -199,7 +239,11 @@ def main():
     parser.add_argument("--repeat", type=int, default=5)
     parser.add_argument("--parts", nargs="+", choices=("slices", "boxes", "scattered", "one"), default=["slices"])
     parser.add_argument("--limit", action="store_true", help="with a limit of memory for each process")
+    parser.add_argument("--measures", action="store_true", help="of the filters that measure")
     arguments = parser.parse_args()
+    if arguments.measures:
+        measure_measures(arguments)
+        return
     if arguments.limit:
         measure_with_limit(arguments)
         return

@@ -56,6 +56,12 @@
  * equal-area units hardly depend on the position. With few normals per unit, chance alone keeps
  * them from uniform: there should be ten or more.
  *
+ * Of a surface that is spread over processes each counts the normals of its part, and the counts
+ * are added up. Outputs and messages are on the first process, facts on all; elsewhere the whole
+ * extent of the image is empty, like the image. The table's field data have BytesExchanged, sent
+ * and received by each process. Given point normals of several processes are one if they have the
+ * same global id or, without global ids, the same place and the same bits.
+ *
  * Source: Research of Spherical Style Deformation on Single Component Models (doctoral thesis),
  * section 4.6.2, Table 4.1; equal-area units: P. Leopardi, A partition of the unit sphere into
  * regions of equal area and small diameter, ETNA 25 (2006). The label [gaussmap] in comments is
@@ -69,16 +75,19 @@
 #define vtkGaussMapFilter_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkSetRangeMacro.h" // for its macro
+#include "vtkSetRangeMacro.h"            // for its macro
+#include "vtkWholeSurfaceAlgorithm.h"
 
+#include <memory> // for std::shared_ptr
+
+class vtkProcesses;
 class vtkTable;
 
-class SPHERICALSTYLEFILTERS_EXPORT vtkGaussMapFilter : public vtkPolyDataAlgorithm
+class SPHERICALSTYLEFILTERS_EXPORT vtkGaussMapFilter : public vtkWholeSurfaceAlgorithm
 {
 public:
   static vtkGaussMapFilter* New();
-  vtkTypeMacro(vtkGaussMapFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkGaussMapFilter, vtkWholeSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum NormalSources
@@ -148,7 +157,7 @@ public:
   /**
    * Facts of the last execution, as in the table of output 2.
    */
-  vtkGetMacro(NumberOfNormals, int);
+  vtkGetMacro(NumberOfNormals, vtkIdType);
   vtkGetMacro(UnitsHit, int);
   vtkGetMacro(UnitsHitOften, int);
   vtkGetMacro(EqualAreaUnitsHit, int);
@@ -167,13 +176,17 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestPart(vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkGaussMapFilter(const vtkGaussMapFilter&) = delete;
   void operator=(const vtkGaussMapFilter&) = delete;
 
-  /// RequestData, which turns what this throws into a message.
-  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  /// RequestWholeData, which turns what this throws into a message, or RequestPart.
+  /// @param processes  that the surface is spread over, or nullptr
+  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
+    const std::shared_ptr<const vtkProcesses>& processes = nullptr);
 
   // Its steps.
   struct Counts;
@@ -186,7 +199,7 @@ private:
   int NumberOfEqualAreaUnits = 1000;
   int SphereUnits = EQUAL_ANGLE;
 
-  int NumberOfNormals = 0;
+  vtkIdType NumberOfNormals = 0;
   int UnitsHit = 0;
   int UnitsHitOften = 0;
   int EqualAreaUnitsHit = 0;

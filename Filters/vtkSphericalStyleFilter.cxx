@@ -228,21 +228,14 @@ bool vtkSphericalStyleFilter::WorksOnParts(
     this->AsksFor(vtkStyleArrays::CENTER_ID) || vtkSelection::GetData(inputVector[SELECTION], 0) ||
     vtkPolyData::GetData(inputVector[REST_POSE], 0);
   // What differs between two processes counts as on the first one, which gathering leads to.
-  std::vector<double> own = { needsWhole ? 1.0 : 0.0, this->Roundness, this->NormalBlend,
-    static_cast<double>(this->NormalRadius), static_cast<double>(this->KeepSize),
-    this->KeepOnGround ? 1.0 : 0.0, static_cast<double>(this->UpAxis),
-    static_cast<double>(this->CenterMode), this->Center[0], this->Center[1], this->Center[2],
-    static_cast<double>(this->RadiusMode), this->Radius, this->DetailSize,
-    static_cast<double>(this->RefineLongEdges), this->GenerateRotation ? 1.0 : 0.0,
-    this->GenerateNormals ? 1.0 : 0.0, this->TransformAllInputVectors ? 1.0 : 0.0 };
-  const std::vector<double> all = processes.Concatenate(own);
-  own.front() = 0.0;
-  bool works = true;
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    works &= all[i] == own[i % own.size()];
-  }
-  return works;
+  return processes.AreAlike({ needsWhole ? 1.0 : 0.0, this->Roundness, this->NormalBlend,
+           static_cast<double>(this->NormalRadius), static_cast<double>(this->KeepSize),
+           this->KeepOnGround ? 1.0 : 0.0, static_cast<double>(this->UpAxis),
+           static_cast<double>(this->CenterMode), this->Center[0], this->Center[1], this->Center[2],
+           static_cast<double>(this->RadiusMode), this->Radius, this->DetailSize,
+           static_cast<double>(this->RefineLongEdges), this->GenerateRotation ? 1.0 : 0.0,
+           this->GenerateNormals ? 1.0 : 0.0, this->TransformAllInputVectors ? 1.0 : 0.0 }) &&
+    !needsWhole;
 }
 
 int vtkSphericalStyleFilter::RequestPart(
@@ -258,27 +251,13 @@ int vtkSphericalStyleFilter::RequestPart(
   {
     return WHOLE_IS_NEEDED;
   }
-  vtkPolyData* model = vtkPolyData::GetData(inputVector[MODEL], 0);
-  if (!model->GetPoints())
+  const int outcome = this->RunOnParts(inputVector, outputVector, *processes,
+    [&] { this->Execute(inputVector, outputVector, processes); });
+  if (outcome == PART_FAILED)
   {
-    model->SetPoints(vtkNew<vtkPoints>());
+    this->ReleaseCache(); // another process may have less of it
   }
-  std::string failure;
-  try
-  {
-    const auto execute = [&] { this->Execute(inputVector, outputVector, processes); };
-    if (processes->Run(execute, model->GetNumberOfPoints() > 0, failure))
-    {
-      return PART_DONE;
-    }
-  }
-  catch (const SphericalStyle::WholeSurfaceNeeded&)
-  {
-    return WHOLE_IS_NEEDED;
-  }
-  this->ReleaseCache(); // another process may have less of it
-  ReportFailure(this, outputVector, failure.c_str());
-  return PART_FAILED;
+  return outcome;
 }
 
 //------------------------------------------------------------------------------------------------

@@ -49,6 +49,12 @@
  * ThicknessRatio below 0.1, among those that have one; NaN both where none has), and with
  * FindSelfIntersections NewSelfIntersectionPairs, NewSelfIntersectingTriangles.
  *
+ * Of a surface that is spread over processes each measures its part, and sums, shared points and
+ * what is near other parts go between them; the table, the field data of output 0 and messages are
+ * on the first process, and the table's field data have BytesExchanged, sent and received by each
+ * process. EstimateCondition, and WeldCoincidentPoints off, gather the surface on the first process
+ * (vtkWholeSurfaceAlgorithm).
+ *
  * All but areas, volumes and lengths are numbers without a unit and do not depend on place and
  * size. Exact definitions: Filters/Documentation/SurfaceMetrics.md.
  *
@@ -69,6 +75,10 @@
 #include "SphericalStyleFiltersModule.h" // for export macro
 #include "vtkSetRangeMacro.h"            // for its macro
 #include "vtkWholeSurfaceAlgorithm.h"
+
+#include <memory> // for std::shared_ptr
+
+class vtkProcesses;
 
 class SPHERICALSTYLEFILTERS_EXPORT vtkSurfaceMetrics : public vtkWholeSurfaceAlgorithm
 {
@@ -165,13 +175,18 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestPart(vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkSurfaceMetrics(const vtkSurfaceMetrics&) = delete;
   void operator=(const vtkSurfaceMetrics&) = delete;
 
-  /// RequestWholeData, which turns what this throws into a message.
-  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  /// RequestWholeData, which turns what this throws into a message, or RequestPart.
+  /// @param processes  that the surface is spread over, or nullptr
+  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
+    const std::shared_ptr<const vtkProcesses>& processes = nullptr);
+  /// Whether the processes can work with the parts of the surface that they have.
+  bool WorksOnParts(vtkInformationVector** inputVector, const vtkProcesses& processes) const;
 
   int CenterMode = POINT_MEAN;
   double Center[3] = { 0.0, 0.0, 0.0 };

@@ -4,6 +4,7 @@
 
 #include "vtkDistributedSurface.h"
 #include "vtkFilterSupport.h"
+#include "vtkProcesses.h"
 #include "vtkSurfaceMeshConversion.h"
 #include "vtkSurfaceRegion.h"
 
@@ -18,6 +19,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
@@ -25,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -383,6 +386,31 @@ vtkWholeSurfaceAlgorithm::~vtkWholeSurfaceAlgorithm()
 int vtkWholeSurfaceAlgorithm::RequestPart(vtkInformationVector**, vtkInformationVector*)
 {
   return WHOLE_IS_NEEDED;
+}
+
+int vtkWholeSurfaceAlgorithm::RunOnParts(vtkInformationVector** inputs,
+  vtkInformationVector* outputs, const vtkProcesses& processes,
+  const std::function<void()>& execute)
+{
+  vtkPolyData* model = vtkPolyData::GetData(inputs[0], 0);
+  if (!model->GetPoints())
+  {
+    model->SetPoints(vtkNew<vtkPoints>());
+  }
+  std::string failure;
+  try
+  {
+    if (processes.Run(execute, model->GetNumberOfPoints() > 0, failure))
+    {
+      return PART_DONE;
+    }
+  }
+  catch (const SphericalStyle::WholeSurfaceNeeded&)
+  {
+    return WHOLE_IS_NEEDED;
+  }
+  ReportFailure(this, outputs, failure.c_str());
+  return PART_FAILED;
 }
 
 int vtkWholeSurfaceAlgorithm::RequestData(

@@ -6,10 +6,10 @@
  *
  * With several processes (MPI) and a vtkPolyData at input port 0 of which another process than the
  * first has a part, the parts are gathered on the first process, the filter runs there once, and
- * each process gets its part of the result (a filter that can do without, as
- * vtkSphericalStyleFilter in closed form, works on all processes at once instead, each with its
- * part): its points, cells, order and arrays, vtkGhostType and global ids included. The result is
- * that of one process up to rounding.
+ * each process gets its part of the result: its points, cells, order and arrays, vtkGhostType and
+ * global ids included. The result is that of one process up to rounding. Filters that can do
+ * without (vtkSphericalStyleFilter in closed form, vtkSurfaceMetrics, vtkGaussMapFilter) work on
+ * all processes at once instead, each with its part; see RequestPart.
  *
  * Parts meet where they have points of the same global id, or, where a part has no global ids,
  * points with the same coordinates to the last bit. Of cells marked as duplicates in vtkGhostType
@@ -38,10 +38,12 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for vtkSmartPointer
 
-#include <memory> // for std::unique_ptr
-#include <vector> // for std::vector
+#include <functional> // for std::function
+#include <memory>     // for std::unique_ptr
+#include <vector>     // for std::vector
 
 class vtkMultiProcessController;
+class vtkProcesses;
 
 class SPHERICALSTYLEFILTERS_EXPORT vtkWholeSurfaceAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -75,6 +77,11 @@ protected:
   /// RequestData on all processes at once, each with its part at port 0. All return the same. By
   /// default the whole is needed.
   virtual int RequestPart(vtkInformationVector**, vtkInformationVector*);
+  /// The rest of RequestPart once it is agreed that parts will do. To be called by all.
+  /// @param execute  talks to the others through `processes`; may throw
+  /// @return PartOutcomes, the same on all; PART_FAILED with a message and empty outputs
+  int RunOnParts(vtkInformationVector** inputs, vtkInformationVector* outputs,
+    const vtkProcesses& processes, const std::function<void()>& execute);
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -77,8 +77,9 @@ private:
 };
 }
 
-std::vector<std::array<int, 2>> SelfIntersections(const TriangleMesh& mesh)
+std::vector<std::array<int, 2>> SelfIntersections(const TriangleMesh& mesh, Eigen::Index own)
 {
+  const auto others = static_cast<int>(own < 0 ? mesh.F.rows() : own);
   std::vector<Box> boxes;
   boxes.reserve(mesh.F.rows());
   for (int f = 0; f < mesh.F.rows(); ++f)
@@ -96,7 +97,7 @@ std::vector<std::array<int, 2>> SelfIntersections(const TriangleMesh& mesh)
     [&](const Box& a, const Box& b)
     {
       const auto ends = std::minmax({ a.info(), b.info() });
-      if (intersect(ends.first, ends.second))
+      if (ends.first < others && intersect(ends.first, ends.second))
       {
         pairs.push_back({ ends.first, ends.second });
       }

@@ -16,8 +16,9 @@ namespace SphericalStyle
 /// number: crossing, touching, or overlapping in a plane. Decided exactly (CGAL's predicates). Any
 /// triangles, manifold or not.
 /// @param mesh  every triangle has an area
+/// @param own  only pairs with one of so many first triangles; -1: all
 /// @return pairs (f, g), f < g, in order
-std::vector<std::array<int, 2>> SelfIntersections(const TriangleMesh& mesh);
+std::vector<std::array<int, 2>> SelfIntersections(const TriangleMesh& mesh, Eigen::Index own = -1);
 } // namespace SphericalStyle
 
 #endif

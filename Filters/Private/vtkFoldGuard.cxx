@@ -23,7 +23,7 @@ namespace
 IntersectionSearch Search()
 {
 #ifdef SPHERICALSTYLE_WITH_CGAL
-  return &SelfIntersections;
+  return [](const TriangleMesh& mesh) { return SelfIntersections(mesh); };
 #else
   throw std::invalid_argument("AvoidSelfIntersections needs CGAL, and this library was built "
                               "without it: switch it off");

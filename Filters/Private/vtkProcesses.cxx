@@ -92,6 +92,17 @@ bool vtkProcesses::Run(
   return false;
 }
 
+bool vtkProcesses::AreAlike(const std::vector<double>& own) const
+{
+  const std::vector<double> all = this->Concatenate(own);
+  bool alike = true;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    alike &= all[i] == own[i % own.size()];
+  }
+  return alike;
+}
+
 std::vector<double> vtkProcesses::GetBytesOfAll() const
 {
   const std::vector<double> own = { this->BytesSent, this->BytesReceived };

@@ -28,6 +28,9 @@ public:
 
   bool IsOf(vtkMultiProcessController* controller) const { return this->Controller == controller; }
 
+  /// Whether these numbers are the same on all processes.
+  bool AreAlike(const std::vector<double>& own) const;
+
   /// Runs `execute` on all processes to its end, or on none.
   /// @param hasPoints  whether this process has a part of the surface
   /// @param failure  empty, or what this process is to tell: of a fault that all processes with

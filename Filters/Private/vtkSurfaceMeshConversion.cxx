@@ -1119,6 +1119,42 @@ WholeSurface Whole(vtkPolyData* input)
   return whole;
 }
 
+GhostTriangles Ghosts(vtkPolyData* input, const vtkSurfaceMesh& surface)
+{
+  GhostTriangles ghosts;
+  vtkUnsignedCharArray* marks = GhostMarks(input->GetCellData());
+  if (surface.Part.IsWhole() || !marks)
+  {
+    return ghosts;
+  }
+  std::vector<int> corners;
+  FaceTriangles faces(input);
+  faces.Visit(
+    [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
+    {
+      if (!IsMarked(marks, cell, vtkDataSetAttributes::DUPLICATECELL))
+      {
+        return;
+      }
+      const Corners mesh = { surface.MeshPoint[a], surface.MeshPoint[b], surface.MeshPoint[c] };
+      const auto& P = surface.Mesh.P;
+      const bool isTaken = *std::min_element(mesh.begin(), mesh.end()) >= 0 && mesh[0] != mesh[1] &&
+        mesh[1] != mesh[2] && mesh[2] != mesh[0] &&
+        !SphericalStyle::IsDegenerate(P.row(mesh[0]), P.row(mesh[1]), P.row(mesh[2]));
+      if (isTaken)
+      {
+        for (const vtkIdType i : { a, b, c })
+        {
+          corners.push_back(static_cast<int>(i));
+        }
+        ghosts.Cells.push_back(cell);
+      }
+    });
+  ghosts.Corners = Eigen::Map<SphericalStyle::Triangles>(
+    corners.data(), static_cast<Eigen::Index>(ghosts.Cells.size()), 3);
+  return ghosts;
+}
+
 void CountOnAll(
   const SphericalStyle::SurfacePart& everybody, vtkIdType& count, vtkIdType& first, int& process)
 {

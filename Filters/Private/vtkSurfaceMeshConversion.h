@@ -126,6 +126,15 @@ struct FaceTriangle
 /// @param input  that FromPolyData has found good
 std::vector<FaceTriangle> Triangles(vtkPolyData* input);
 
+/// Triangles of cells that another process owns, as that takes them.
+struct GhostTriangles
+{
+  SphericalStyle::Triangles Corners; ///< by input points
+  std::vector<vtkIdType> Cells;      ///< input cell of each
+};
+/// @param surface  FromPolyData(input) with processes
+GhostTriangles Ghosts(vtkPolyData* input, const vtkSurfaceMesh& surface);
+
 /// A surface as it came in: all points, also those that are not finite, and all triangles.
 struct WholeSurface
 {

@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfacePair.h"
 
+#include "SharedNumbers.h"
 #include "SurfaceMeasures.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -78,18 +83,102 @@ std::vector<int> NumberPairs(const vtkSurfaceMesh& surface, const vtkSurfaceMesh
   }
   return number;
 }
+
+/// The reference with the marks of the input: what another process owns is the same in both.
+vtkSmartPointer<vtkPolyData> WithMarksOf(vtkPolyData* input, vtkPolyData* reference)
+{
+  auto marked = vtkSmartPointer<vtkPolyData>::New();
+  marked->ShallowCopy(reference);
+  if (!marked->GetPoints())
+  {
+    marked->SetPoints(vtkNew<vtkPoints>());
+  }
+  using Attributes = std::pair<vtkDataSetAttributes*, vtkDataSetAttributes*>;
+  for (const auto& [from, to] : { Attributes(input->GetPointData(), marked->GetPointData()),
+         Attributes(input->GetCellData(), marked->GetCellData()) })
+  {
+    const char* name = vtkDataSetAttributes::GhostArrayName();
+    to->RemoveArray(name);
+    if (vtkAbstractArray* marks = from->GetAbstractArray(name))
+    {
+      to->AddArray(marks);
+    }
+  }
+  return marked;
+}
+
+/// @throw std::invalid_argument, or WholeSurfaceNeeded on all processes where it is spread
+void RequireSameParts(vtkPolyData* reference, vtkPolyData* input, const vtkSurfaceMesh& surface)
+{
+  const auto require = [&]
+  {
+    RequireSameNumber(reference->GetNumberOfPoints(), input->GetNumberOfPoints(), "points");
+    RequireSameCells(reference, input);
+  };
+  if (surface.Part.IsWhole())
+  {
+    require();
+    return;
+  }
+  double differ = 0.0;
+  try
+  {
+    require();
+  }
+  catch (const std::invalid_argument&)
+  {
+    differ = 1.0;
+  }
+  if (surface.Part.Max(differ) > 0.0)
+  {
+    throw SphericalStyle::WholeSurfaceNeeded("the parts of the reference are others");
+  }
+}
+
+/// Points of Rest that several processes have: those that they have in the input and in the
+/// reference.
+SphericalStyle::SurfacePart PartOfPair(const vtkSurfaceMesh& surface, const vtkSurfaceMesh& before,
+  const std::vector<vtkIdType>& firstPoint)
+{
+  const auto numbers = [](const vtkSurfaceMesh& mesh)
+  {
+    std::vector<int> numberOf(mesh.Mesh.P.rows(), -1);
+    for (std::size_t k = 0; k < mesh.Part.shared.size(); ++k)
+    {
+      numberOf[mesh.Part.shared[k]] = mesh.Part.numbers[k];
+    }
+    return numberOf;
+  };
+  const std::vector<int> now = numbers(surface);
+  const std::vector<int> then = numbers(before);
+  std::vector<std::array<double, 2>> names;
+  std::vector<int> points;
+  for (std::size_t i = 0; i < firstPoint.size(); ++i)
+  {
+    const int here = now[surface.MeshPoint[firstPoint[i]]];
+    const int there = then[before.MeshPoint[firstPoint[i]]];
+    if (here >= 0 && there >= 0)
+    {
+      names.push_back({ static_cast<double>(here), static_cast<double>(there) });
+      points.push_back(static_cast<int>(i));
+    }
+  }
+  return SphericalStyle::PartByNames(names, points, firstPoint.size(), surface.Part);
+}
 }
 
 vtkSurfacePair vtkMakeSurfacePair(
   vtkPolyData* input, const vtkSurfaceMesh& surface, vtkPolyData* reference, bool weld)
 {
-  RequireSameNumber(reference->GetNumberOfPoints(), input->GetNumberOfPoints(), "points");
-  RequireSameCells(reference, input);
+  RequireSameParts(reference, input, surface);
   vtkSurfaceMesh before;
   try
   {
+    const vtkSmartPointer<vtkPolyData> marked = surface.Part.IsWhole()
+      ? vtkSmartPointer<vtkPolyData>(reference)
+      : WithMarksOf(input, reference);
     before = vtkSurfaceMeshConversion::FromPolyData(
-      reference, weld, vtkSurfaceMeshConversion::TakePoints::All);
+      marked, weld, vtkSurfaceMeshConversion::TakePoints::All, surface.Part.processes);
   }
   catch (const std::invalid_argument& error)
   {
@@ -119,11 +208,13 @@ vtkSurfacePair vtkMakeSurfacePair(
       pair.Triangle.push_back(static_cast<int>(f));
     }
   }
-  if (pair.Triangle.empty())
+  if (surface.Part.Max(pair.Triangle.empty() ? 0.0 : 1.0) == 0.0)
   {
     Refuse("it has no triangle with an area");
   }
   pair.Rest.F.conservativeResize(static_cast<Eigen::Index>(pair.Triangle.size()), 3);
+  pair.Part = PartOfPair(surface, before, firstPoint);
   pair.Reference = std::move(before.Mesh);
+  pair.ReferencePart = std::move(before.Part);
   return pair;
 }

@@ -27,7 +27,7 @@ void CheckSound(Checker& check, WatchedGaussMap& filter, vtkPolyData* input)
   check(filter.Errors.empty(), "no error should be reported");
   check(SamePolyData(before, input), "the input should be unchanged to the bit");
   vtkDataArray* counts = Image(filter.Get())->GetPointData()->GetScalars();
-  const double normals = filter->GetNumberOfNormals();
+  const auto normals = static_cast<double>(filter->GetNumberOfNormals());
   check(AllFinite(counts) && AllFinite(SphereArray(filter.Get(), "Density")),
     "counts and densities should be finite");
   check.AtMost(std::abs(Sum(counts) - normals), 1e-9 * normals, "sum of the counts minus normals");

@@ -243,14 +243,15 @@ void Spheres(Checker& check)
 
         vtkDataArray* count = SphereArray(filter.Get(), "Count");
         vtkDataArray* density = SphereArray(filter.Get(), "Density");
-        const double normals = filter->GetNumberOfNormals();
+        const auto normals = static_cast<double>(filter->GetNumberOfNormals());
         check.AtMost(std::abs(Sum(count) - normals), 1e-9, "sum of the counts minus normals");
         double integral = 0.0;
         double entropy = 0.0;
         double distance = 0.0;
         for (vtkIdType i = 0; i < units; ++i)
         {
-          const double low = vtkMath::RadiansFromDegrees(static_cast<double>(i / 360) - 90.0);
+          const vtkIdType row = i / 360;
+          const double low = vtkMath::RadiansFromDegrees(static_cast<double>(row) - 90.0);
           const double solidAngle = kind == 0
             ? vtkMath::Pi() / 180.0 * (std::sin(low + vtkMath::Pi() / 180.0) - std::sin(low))
             : 4.0 * vtkMath::Pi() / static_cast<double>(number);
@@ -349,8 +350,8 @@ void ImageAndTable(Checker& check)
 
   check.About("table");
   vtkTable* table = Table(filter.Get());
-  const std::vector<std::pair<std::string, double>> expected = { { "Normals",
-                                                                   filter->GetNumberOfNormals() },
+  const auto normals = static_cast<double>(filter->GetNumberOfNormals());
+  const std::vector<std::pair<std::string, double>> expected = { { "Normals", normals },
     { "UnitsHit", filter->GetUnitsHit() }, { "UnitsHitOften", filter->GetUnitsHitOften() },
     { "EqualAreaUnits", filter->GetNumberOfEqualAreaUnits() },
     { "EqualAreaUnitsHit", filter->GetEqualAreaUnitsHit() },

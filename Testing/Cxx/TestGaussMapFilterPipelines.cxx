@@ -81,7 +81,8 @@ void ImagePipeline(Checker& check)
   check(twice->GetOutput()->GetDimensions()[0] == 360 &&
       twice->GetOutput()->GetDimensions()[1] == 2 * 180,
     "the whole image should come");
-  check(Sum(twice->GetOutput()->GetPointData()->GetScalars()) == 2.0 * map->GetNumberOfNormals(),
+  check(Sum(twice->GetOutput()->GetPointData()->GetScalars()) ==
+      2.0 * static_cast<double>(map->GetNumberOfNormals()),
     "with its values");
   map->UpdateInformation();
   int extent[6];

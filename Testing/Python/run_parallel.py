@@ -16,7 +16,7 @@ def launcher(processes):
         print("No mpirun: install openmpi-bin, or the program that starts your ParaView's MPI.")
         sys.exit(77)
     version = subprocess.run([mpirun, "--version"], capture_output=True, text=True, check=False).stdout
-    open_mpi = ["--oversubscribe", "--allow-run-as-root"] if "Open MPI" in version else []
+    open_mpi = ["--oversubscribe", "--bind-to", "none", "--allow-run-as-root"] if "Open MPI" in version else []
     return [mpirun, *open_mpi, "-np", processes]
 
 

@@ -89,37 +89,53 @@ int CountTurnedOver(const Points& P, const Points& Q, const Triangles& F, const 
   return static_cast<int>(std::count(turnedOver.begin(), turnedOver.end(), 1));
 }
 
-double DetailError(const Points& P, const Points& Q, const Triangles& F, const Matrices& R)
+double DetailError(
+  const Points& P, const Points& Q, const Triangles& F, const Matrices& R, const SurfacePart& part)
 {
   const HalfEdgeScalars c = HalfEdgeCotangents(P, F);
-  const Points rest = CotangentLaplacianVectors(P, F, c);
-  const Points deformed = CotangentLaplacianVectors(Q, F, c);
-  double sum = 0.0;
+  Points rest = CotangentLaplacianVectors(P, F, c);
+  Points deformed = CotangentLaplacianVectors(Q, F, c);
+  part.SumAtShared(rest.data(), 3);
+  part.SumAtShared(deformed.data(), 3);
+  Eigen::Vector2d sums = Eigen::Vector2d::Zero(); // of squares, of points
   for (Eigen::Index i = 0; i < P.rows(); ++i)
   {
-    sum += (deformed.row(i).transpose() - R[i] * rest.row(i).transpose()).squaredNorm();
+    if (part.Counts(i))
+    {
+      sums(0) += (deformed.row(i).transpose() - R[i] * rest.row(i).transpose()).squaredNorm();
+      sums(1) += 1.0;
+    }
   }
-  const double diagonal = (P.colwise().maxCoeff() - P.colwise().minCoeff()).norm();
-  return std::sqrt(sum / static_cast<double>(P.rows())) / diagonal;
+  part.Sum(sums);
+  const auto [low, high] = BoundsOf(P, part);
+  return std::sqrt(sums(0) / sums(1)) / (high - low).norm();
 }
 
-double DihedralChange(const Points& P, const Points& Q, const Triangles& F, const MeshEdges& edges)
+double DihedralChange(const Points& P, const Points& Q, const Triangles& F, const MeshEdges& edges,
+  const EdgePart& part)
 {
-  Eigen::ArrayXd change = DihedralAngles(Q, F, edges) - DihedralAngles(P, F, edges);
-  for (double& angle : change)
+  const Eigen::ArrayXd change =
+    DihedralAngles(Q, F, edges, part) - DihedralAngles(P, F, edges, part);
+  Eigen::Vector2d sums = Eigen::Vector2d::Zero(); // of squares, of edges
+  for (const double angle : change)
   {
-    angle = std::remainder(angle, 2.0 * Pi);
+    const double around = std::remainder(angle, 2.0 * Pi);
+    sums += Eigen::Vector2d(around * around, 1.0);
   }
-  return change.size() > 0 ? std::sqrt(change.square().mean()) : 0.0;
+  part.GetProcesses().Sum(sums);
+  return sums(1) > 0.0 ? std::sqrt(sums(0) / sums(1)) : 0.0;
 }
 
-double LogSpread(const Eigen::VectorXd& ratios)
+double LogSpread(const Eigen::VectorXd& ratios, const SurfacePart& part)
 {
-  if (ratios.size() == 0)
+  const Eigen::ArrayXd logarithm = ratios.array().log();
+  Eigen::Vector2d sums(logarithm.sum(), static_cast<double>(logarithm.size()));
+  part.Sum(sums);
+  if (sums(1) == 0.0)
   {
     return 0.0;
   }
-  const Eigen::ArrayXd logarithm = ratios.array().log();
-  return std::sqrt((logarithm - logarithm.mean()).square().mean());
+  const double mean = sums(0) / sums(1);
+  return std::sqrt(part.Sum((logarithm - mean).square().sum()) / sums(1));
 }
 } // namespace SphericalStyle

@@ -6,8 +6,7 @@
 #ifndef SphericalStyle_DeformationMeasures_h
 #define SphericalStyle_DeformationMeasures_h
 
-#include "MeshEdges.h"
-#include "SurfacePart.h"
+#include "EdgePart.h"
 
 namespace SphericalStyle
 {
@@ -30,13 +29,15 @@ int CountTurnedOver(
 /// Detail error [measures]: rms difference of the cotangent-Laplacian vectors sum_j w_ij (p_i -
 /// p_j) of P turned by R and of Q, relative to the diagonal of P.
 /// @param R  n rotations of the cells, rest to deformed
-double DetailError(const Points& P, const Points& Q, const Triangles& F, const Matrices& R);
+double DetailError(const Points& P, const Points& Q, const Triangles& F, const Matrices& R,
+  const SurfacePart& part = {});
 
 /// Rms change of the dihedral angles from P to Q, radians, the shorter way around; 0 without edges.
-double DihedralChange(const Points& P, const Points& Q, const Triangles& F, const MeshEdges& edges);
+double DihedralChange(const Points& P, const Points& Q, const Triangles& F, const MeshEdges& edges,
+  const EdgePart& part = {});
 
 /// Standard deviation of the logarithms of positive ratios; 0 for none.
-double LogSpread(const Eigen::VectorXd& ratios);
+double LogSpread(const Eigen::VectorXd& ratios, const SurfacePart& part = {});
 } // namespace SphericalStyle
 
 #endif

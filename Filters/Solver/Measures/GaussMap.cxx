@@ -7,10 +7,12 @@
 
 namespace SphericalStyle
 {
-Eigen::VectorXd RelativeWeights(Eigen::Index N, const Eigen::VectorXd& weights)
+Eigen::VectorXd RelativeWeights(
+  Eigen::Index N, const Eigen::VectorXd& weights, const SurfacePart& part)
 {
-  return weights.size() == 0 || N == 0 ? Eigen::VectorXd::Ones(N)
-                                       : (weights / weights.mean()).eval();
+  Eigen::Vector3d sums(weights.sum(), static_cast<double>(N), static_cast<double>(weights.size()));
+  part.Sum(sums);
+  return sums(2) == 0.0 ? Eigen::VectorXd::Ones(N) : (weights / (sums(0) / sums(1))).eval();
 }
 
 Eigen::VectorXd CountNormals(

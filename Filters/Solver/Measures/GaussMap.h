@@ -6,13 +6,15 @@
 #define SphericalStyle_GaussMap_h
 
 #include "SphereUnits.h"
+#include "SurfacePart.h"
 
 namespace SphericalStyle
 {
 /// What each of the N normals counts: its weight over the mean weight, so that the counts sum to N
 /// and a threshold means the same with weights as without. Ones if there are no weights.
-/// @param weights  areas for instance, length^2; N, or empty
-Eigen::VectorXd RelativeWeights(Eigen::Index N, const Eigen::VectorXd& weights);
+/// @param weights  areas for instance, length^2; N, or empty on all processes
+Eigen::VectorXd RelativeWeights(
+  Eigen::Index N, const Eigen::VectorXd& weights, const SurfacePart& part = {});
 
 /// Count of each unit: the sum of the weights of the normals in it.
 /// @param normals  N x 3, not 0, of any length @param weights  N, not negative

@@ -5,7 +5,7 @@
 #ifndef SphericalStyle_Thickness_h
 #define SphericalStyle_Thickness_h
 
-#include "TriangleMesh.h"
+#include "SurfacePart.h"
 
 #include <limits>
 
@@ -37,6 +37,12 @@ ThicknessProbes PlaceThicknessProbes(const TriangleMesh& rest, const std::vector
 /// Distance of each probe's two points after over before.
 Eigen::VectorXd ThicknessRatios(
   const TriangleMesh& rest, const Points& deformed, const ThicknessProbes& probes);
+
+/// The same for all points of a surface, NaN for those that have no point opposite. Where the
+/// surface is spread, rays that may meet triangles of another process first are sent to all.
+/// @param deformed  one row per point of rest
+Eigen::VectorXd ThicknessRatios(
+  const TriangleMesh& rest, const Points& deformed, int threads, const SurfacePart& part = {});
 } // namespace SphericalStyle
 
 #endif

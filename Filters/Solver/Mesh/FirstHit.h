@@ -28,6 +28,13 @@ public:
 
   void Search(const TriangleTree& tree) { this->Search(tree, tree.GetRoot()); }
 
+  /// Whether something in the box may be hit before what is.
+  bool MayMeet(const Eigen::AlignedBox3d& box) const
+  {
+    const double distance = this->DistanceOf(box);
+    return distance < Nothing && distance <= this->Distance;
+  }
+
   int GetTriangle() const { return this->Triangle; } ///< -1 where nothing is hit
   double GetDistance() const { return this->Distance; }
   /// Barycentric coordinates of the hit.

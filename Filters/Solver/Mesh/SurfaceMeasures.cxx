@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace SphericalStyle
 {
@@ -197,81 +199,158 @@ void NormalizeSums(Points& normals)
   }
 }
 
-double Sphericity(const Points& P, const Triangles& F)
+double Sphericity(const Points& P, const Triangles& F, const SurfacePart& part)
 {
-  const Points unit = AtUnitSize(P);
-  const double volume = std::abs(EnclosedVolume(unit, F));
-  return std::cbrt(Pi) * std::pow(6.0 * volume, 2.0 / 3.0) / TriangleAreas(unit, F).sum();
-}
-
-double RadiusSpread(const Points& P, const Eigen::Vector3d& center)
-{
-  const Eigen::VectorXd radius = AtUnitSize(P.rowwise() - center.transpose()).rowwise().norm();
-  const double mean = radius.mean();
-  return std::sqrt((radius.array() - mean).square().mean()) / mean;
+  const auto [low, high] = BoundsOf(P, part);
+  const Points unit = UnitScale(low.cwiseAbs().cwiseMax(high.cwiseAbs())) * P;
+  const double volume = std::abs(EnclosedVolume(unit, F, part));
+  return std::cbrt(Pi) * std::pow(6.0 * volume, 2.0 / 3.0) / part.Sum(TriangleAreas(unit, F).sum());
 }
 
 namespace
 {
-double MeanSquareDistance(const Points& x, const Eigen::Vector3d& center, double radius)
+/// The points that count here.
+Points ThatCount(const Points& P, const SurfacePart& part)
 {
-  const auto distance = (x.rowwise() - center.transpose()).rowwise().norm();
-  return (distance.array() - radius).square().mean();
+  if (part.IsWhole())
+  {
+    return P;
+  }
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < P.rows(); ++i)
+  {
+    if (part.Counts(i))
+    {
+      rows.push_back(i);
+    }
+  }
+  return P(rows, AllColumns);
 }
 
-// Gauss-Newton on the distances, from the algebraic fit; steps that do not improve end it.
-void RefineSphere(const Points& x, FittedSphere& sphere)
+double LargestNumber(const Points& x, const SurfacePart& part)
 {
-  double error = MeanSquareDistance(x, sphere.center, sphere.radius);
+  return part.Max(x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0.0);
+}
+
+double SumOfSquares(const Eigen::ArrayXd& x, const SurfacePart& part)
+{
+  return part.Sum(x.square().sum());
+}
+}
+
+double RadiusSpread(const Points& P, const Eigen::Vector3d& center, const SurfacePart& part)
+{
+  Points x = ThatCount(P, part).rowwise() - center.transpose();
+  const auto count = part.Sum(static_cast<double>(x.rows()));
+  x *= UnitScale(Eigen::Array<double, 1, 1>(LargestNumber(x, part)));
+  const Eigen::ArrayXd radius = x.rowwise().norm();
+  const double mean = part.Sum(radius.sum()) / count;
+  return std::sqrt(SumOfSquares(radius - mean, part) / count) / mean;
+}
+
+namespace
+{
+/// Rows [A b] of a least-squares problem.
+using SphereRows = Eigen::Matrix<double, Eigen::Dynamic, 5>;
+
+/// Rows with the same solution, few where the surface is spread: each process gives the triangle of
+/// a QR decomposition of its own (Demmel et al., Communication-optimal parallel and sequential QR
+/// and LU factorizations, 2012).
+SphereRows RowsOfAll(SphereRows own, const SurfacePart& part)
+{
+  if (part.IsWhole())
+  {
+    return own;
+  }
+  if (own.rows() > 5)
+  {
+    const Eigen::HouseholderQR<SphereRows> qr(own);
+    own = qr.matrixQR().topRows<5>().template triangularView<Eigen::Upper>().toDenseMatrix();
+  }
+  const Eigen::Matrix<double, Eigen::Dynamic, 5, Eigen::RowMajor> rows = own;
+  const std::vector<double> all = part.Concatenate({ rows.data(), rows.data() + rows.size() });
+  return Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 5, Eigen::RowMajor>>(
+    all.data(), static_cast<Eigen::Index>(all.size()) / 5, 5);
+}
+
+double MeanSquareDistance(
+  const Points& x, double count, const FittedSphere& sphere, const SurfacePart& part)
+{
+  const Eigen::ArrayXd distance = (x.rowwise() - sphere.center.transpose()).rowwise().norm();
+  return SumOfSquares(distance - sphere.radius, part) / count;
+}
+
+/// Gauss-Newton on the distances, from the algebraic fit, until steps are small or lead away. The
+/// sum of squares alone tells no step below 1e-8.
+void RefineSphere(const Points& x, double count, const SurfacePart& part, FittedSphere& sphere)
+{
+  constexpr double Growth = 1.0 + 1e-12; // of the error by rounding
+  constexpr double Settled = 1e-14;
+  constexpr double NearlySettled = 1e-11; // where steps that shrink no more are rounding
+  double error = MeanSquareDistance(x, count, sphere, part);
+  double before = std::numeric_limits<double>::infinity();
   for (int step = 0; step < 50; ++step)
   {
-    Eigen::MatrixX4d J(x.rows(), 4);
+    SphereRows J(x.rows(), 5);
     J.leftCols<3>() = x.rowwise() - sphere.center.transpose();
-    const Eigen::VectorXd distance = J.leftCols<3>().rowwise().norm();
-    if (!(distance.minCoeff() > 0.0))
+    const Eigen::ArrayXd distance = J.leftCols<3>().rowwise().norm();
+    if (part.Max(distance.size() > 0 && !(distance.minCoeff() > 0.0) ? 1.0 : 0.0) > 0.0)
     {
       return;
     }
-    J.leftCols<3>().array().colwise() /= distance.array();
+    J.leftCols<3>().array().colwise() /= distance;
     J.col(3).setOnes();
+    J.col(4) = distance - sphere.radius;
+    const SphereRows rows = RowsOfAll(std::move(J), part);
     const Eigen::Vector4d change =
-      J.colPivHouseholderQr().solve((distance.array() - sphere.radius).matrix());
-    const Eigen::Vector3d center = sphere.center + change.head<3>();
-    const double radius = sphere.radius + change(3);
-    const double now = MeanSquareDistance(x, center, radius);
-    if (!(now < error))
+      Eigen::MatrixX4d(rows.leftCols<4>()).colPivHouseholderQr().solve(rows.col(4));
+    FittedSphere next = sphere;
+    next.center += change.head<3>();
+    next.radius += change(3);
+    const double now = MeanSquareDistance(x, count, next, part);
+    if (!(now <= Growth * error))
     {
       return;
     }
-    sphere.center = center;
-    sphere.radius = radius;
+    sphere = next;
     error = now;
+    const double size = change.norm();
+    if (size <= Settled || (size <= NearlySettled && size > 0.5 * before))
+    {
+      return;
+    }
+    before = size;
   }
 }
 }
 
-FittedSphere FitSphere(const Points& P)
+FittedSphere FitSphere(const Points& P, const SurfacePart& part)
 {
   constexpr double None = std::numeric_limits<double>::quiet_NaN();
-  const Eigen::RowVector3d mean = P.colwise().mean();
-  Points x = P.rowwise() - mean;
-  const double size = x.cwiseAbs().maxCoeff();
+  Points x = ThatCount(P, part);
+  const auto count = part.Sum(static_cast<double>(x.rows()));
+  Eigen::RowVector3d mean = x.colwise().sum();
+  part.Sum(mean);
+  mean /= count;
+  x.rowwise() -= mean;
+  const double size = LargestNumber(x, part);
   x /= size > 0.0 ? size : 1.0;
   // |x|^2 = 2 c.x + (r^2 - |c|^2), linear in c and the bracket
-  Eigen::MatrixX4d A(x.rows(), 4);
-  A << 2.0 * x, Eigen::VectorXd::Ones(x.rows());
-  Eigen::ColPivHouseholderQR<Eigen::MatrixX4d> qr(A);
+  SphereRows own(x.rows(), 5);
+  own << 2.0 * x, Eigen::VectorXd::Ones(x.rows()), x.rowwise().squaredNorm();
+  const SphereRows rows = RowsOfAll(std::move(own), part);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixX4d> qr(rows.leftCols<4>());
   qr.setThreshold(1e-9);
   if (qr.rank() < 4)
   {
     return { Eigen::Vector3d::Constant(None), None, None };
   }
-  const Eigen::Vector4d fit = qr.solve(x.rowwise().squaredNorm());
+  const Eigen::Vector4d fit = qr.solve(rows.col(4));
   FittedSphere sphere;
   sphere.center = fit.head<3>();
   sphere.radius = std::sqrt(fit(3) + sphere.center.squaredNorm());
-  RefineSphere(x, sphere);
-  sphere.error = std::sqrt(MeanSquareDistance(x, sphere.center, sphere.radius)) / sphere.radius;
+  RefineSphere(x, count, part, sphere);
+  sphere.error = std::sqrt(MeanSquareDistance(x, count, sphere, part)) / sphere.radius;
   sphere.center = size * sphere.center + mean.transpose();
   sphere.radius *= size;
   return sphere;

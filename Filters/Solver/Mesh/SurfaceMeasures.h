@@ -51,9 +51,9 @@ Points PointNormalSums(const Points& P, const Triangles& F);
 void NormalizeSums(Points& normals);
 
 /// Sphericity pi^(1/3) (6 V)^(2/3) / A: 1 for a ball, less for all else. [measures]
-double Sphericity(const Points& P, const Triangles& F);
+double Sphericity(const Points& P, const Triangles& F, const SurfacePart& part = {});
 /// Standard deviation of |p - O| over its mean. [measures]
-double RadiusSpread(const Points& P, const Eigen::Vector3d& center);
+double RadiusSpread(const Points& P, const Eigen::Vector3d& center, const SurfacePart& part = {});
 
 /// The sphere nearest to the points: the sum of (|p - center| - radius)^2 is least. [measures]
 struct FittedSphere
@@ -63,7 +63,7 @@ struct FittedSphere
   double error = 0.0; ///< rms distance of the points from it, over the radius
 };
 /// NaN for points in a plane (four on a sphere are needed).
-FittedSphere FitSphere(const Points& P);
+FittedSphere FitSphere(const Points& P, const SurfacePart& part = {});
 
 /// Cosine of the angle between the direction from the center and the normal, n: above 0 everywhere
 /// on a surface that is star-shaped around the center. 0 for a point on the center.

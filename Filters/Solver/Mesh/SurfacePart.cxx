@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfacePart.h"
 
+#include "SharedNumbers.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -123,22 +125,6 @@ std::vector<CellAt> FinestCells(const Points& x, const SurfacePart& everybody)
     }
   }
   return cells;
-}
-
-/// Those of the numbers that several processes have. @param own  ascending, each once
-std::vector<double> HadBySeveral(const std::vector<double>& own, const Processes& processes)
-{
-  std::vector<double> all = processes.Concatenate(own);
-  std::sort(all.begin(), all.end());
-  std::vector<double> several;
-  for (std::size_t i = 1; i < all.size(); ++i)
-  {
-    if (all[i] == all[i - 1] && (several.empty() || several.back() != all[i]))
-    {
-      several.push_back(all[i]);
-    }
-  }
-  return several;
 }
 
 /// The points in cells that others have points in, at all levels.
