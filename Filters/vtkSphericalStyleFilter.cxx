@@ -317,7 +317,7 @@ bool vtkSphericalStyleFilter::CanPreview(vtkInformationVector** inputVector)
 /// [preview]
 void vtkSphericalStyleFilter::MakePreview(vtkPolyData* input, vtkInformationVector* outputVector)
 {
-  constexpr int Probes = 1 << 15;
+  constexpr int Probes = 1 << 14;
   const std::shared_ptr<Internals> internal = this->Internal; // ReleaseCache may come meanwhile
   Internals::PreviewBasis& basis = internal->Basis;
   const std::shared_ptr<const vtkSurfaceMesh> surface = basis.Surface;

@@ -464,8 +464,8 @@ public:
 
   ///@{
   /**
-   * For programs, while something is dragged: a model of more than 100000 points comes out as a
-   * coarse copy of about 50000 of its points [preview], which is quicker. They are about where the
+   * For programs, while something is dragged: a model of more than 50000 points comes out as a
+   * coarse copy of about 25000 of its points [preview], which is quicker. They are about where the
    * full result has them, with all of their arrays. The full result has to be there, of this input:
    * else it is made instead, as it is where the result is not in closed form, with
    * AvoidSelfIntersections, a region, several centers, input arrays, and with NormalBlend and given
@@ -535,7 +535,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /// Points of a preview, about; what has no more than twice as many is shown in full.
-  int PreviewSize = 50000;
+  int PreviewSize = 25000;
 
   // What only a study of the thesis changes: vtkThesisStyleFilter says what they are.
   int ConcaveEdges = 0;

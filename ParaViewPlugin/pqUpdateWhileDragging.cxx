@@ -11,13 +11,16 @@
 #include "pqSettingCheckBox.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
+#include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 #include "vtkPVGeneralSettings.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMTrace.h"
+#include "vtkSMViewProxy.h"
 
 #include <QByteArrayList>
 #include <QElapsedTimer>
@@ -135,6 +138,7 @@ void pqUpdateWhileDragging::start()
   {
     BEGIN_UNDO_SET(tr("Drag"));
     this->Messages->Hold();
+    this->watchRenderings();
   }
 }
 
@@ -169,6 +173,11 @@ void pqUpdateWhileDragging::close()
 {
   this->Timer.stop();
   this->Previews = false;
+  if (this->Interactor)
+  {
+    this->Interactor->RemoveObserver(this->RenderObserver);
+    this->Interactor = nullptr;
+  }
   this->setPreview(false); // should there be no release, the next update gives the full result
   if (this->Dragging)
   {
@@ -176,6 +185,25 @@ void pqUpdateWhileDragging::close()
     END_UNDO_SET();
     this->Messages->Give();
   }
+}
+
+void pqUpdateWhileDragging::watchRenderings()
+{
+  constexpr float First = 10.0F; // before what renders the view
+  pqView* view = this->parentWidget()->view();
+  this->Interactor = view ? view->getViewProxy()->GetInteractor() : nullptr;
+  if (this->Interactor)
+  {
+    this->RenderObserver = this->Interactor->AddObserver(
+      vtkCommand::RenderEvent, this, &pqUpdateWhileDragging::rendersSoon, First);
+  }
+}
+
+/// @return whether the view need not be rendered: aborts the event
+bool pqUpdateWhileDragging::rendersSoon(
+  vtkObject* /*interactor*/, unsigned long /*event*/, void* /*data*/)
+{
+  return this->Timer.isActive();
 }
 
 void pqUpdateWhileDragging::setPreview(bool on)

@@ -8,10 +8,11 @@
 ///     <PropertyWidgetDecorator type="UpdateWhileDragging"/>
 ///
 /// An update is an Apply of the filter's own panel and a rendering of the view. It begins when the
-/// mouse events so far are handled, so that updates never queue up behind the mouse, and where one
-/// took longer than SlowUpdate the rest of the drag waits for the release. Undo takes back the
-/// whole drag. While a trace is recorded there is one update, on release. Warnings come on release,
-/// those of the last update, and not once for each: what is said of shapes in between is no use.
+/// mouse events so far are handled, so that updates never queue up behind the mouse. Until then the
+/// handle itself does not render the view, which the update does anyway. Where an update took
+/// longer than SlowUpdate the rest of the drag waits for the release. Undo takes back the whole
+/// drag. While a trace is recorded there is one update, on release. Warnings come on release, those
+/// of the last update, and not once for each: what is said of shapes in between is no use.
 ///
 /// A filter with the property Preview, 0 or 1, has it set meanwhile, so that it may give less than
 /// the full result, and quicker; the update of the release is full. It is to be internal: neither
@@ -25,10 +26,12 @@
 
 #include "pqPropertyWidgetDecorator.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <QTimer>
 
 class pqSettingCheckBox;
+class vtkRenderWindowInteractor;
 
 class pqUpdateWhileDragging : public pqPropertyWidgetDecorator
 {
@@ -51,6 +54,8 @@ private:
 
   void addCheckBox();
   bool isWanted() const;
+  void watchRenderings();
+  bool rendersSoon(vtkObject*, unsigned long, void*);
   void setPreview(bool on);
   void close();
 
@@ -60,6 +65,8 @@ private:
   bool Previews = false; // the next update does
   int SlowUpdates = 0;   // in a row
   vtkSmartPointer<HeldMessages> Messages;
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor; // of the view, in a drag
+  unsigned long RenderObserver = 0;
 };
 
 #endif

@@ -5,6 +5,7 @@
 /// the result is full.
 #include "FilterTesting.h"
 
+#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -171,6 +172,50 @@ void IsFull(Checker& check, vtkPolyData* model, const Setting& setting)
     "should be full");
 }
 
+/// Quads, a line and vertices, and texture coordinates: the faces alone are shown, as triangles.
+void ShowsFacesOfMixedCells(Checker& check)
+{
+  check.About("cells of several kinds");
+  const Surface model = MakeEllipsoid({ 1.0, 1.5, 0.8 }, Faces::Quads, 100, 100);
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell({ 0, 1 });
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType i = 0; i < model->GetNumberOfPoints(); ++i)
+  {
+    vertices->InsertNextCell({ i });
+  }
+  model->SetLines(line);
+  model->SetVerts(vertices);
+  vtkNew<vtkDoubleArray> texture;
+  texture->SetName("Texture");
+  texture->SetNumberOfComponents(2);
+  for (vtkIdType i = 0; i < model->GetNumberOfPoints(); ++i)
+  {
+    texture->InsertNextTuple2(PointOf(model, i)[0], PointOf(model, i)[1]);
+  }
+  model->GetPointData()->SetTCoords(texture);
+  AddNumbers(model->GetPointData(), model->GetNumberOfPoints());
+  AddNumbers(model->GetCellData(), model->GetNumberOfCells());
+  vtkNew<SmallPreview> filter;
+  SetUp(filter, model, Nothing);
+  filter->Update();
+  filter->PreviewOn();
+  Drag(filter);
+  const Surface coarse = OutputOf(filter);
+  check(coarse->GetNumberOfPoints() < model->GetNumberOfPoints() / 2, "should be coarse");
+  check(coarse->GetNumberOfPolys() > 0 &&
+      coarse->GetNumberOfPolys() == coarse->GetNumberOfCells() &&
+      coarse->GetCellData()->GetArray("Number")->GetRange()[0] >
+        static_cast<double>(model->GetNumberOfPoints()),
+    "should have faces alone, with the arrays of faces");
+  check(coarse->GetPointData()->GetTCoords() &&
+      SameTuples(coarse->GetPointData(), model->GetPointData(), "Texture"),
+    "texture coordinates should be those of the points");
+  // On a closed surface each edge has two triangles, and what is left of each sphere has
+  // n - e + f = 2: no holes.
+  check(coarse->GetNumberOfPolys() == 2 * (coarse->GetNumberOfPoints() - 2), "should be closed");
+}
+
 void AddHeights(vtkPolyData* model)
 {
   vtkNew<vtkDoubleArray> heights;
@@ -242,6 +287,7 @@ int TestSphericalStyleFilterPreview(int, char*[])
   {
     IsFull(check, model, setting);
   }
+  ShowsFacesOfMixedCells(check);
   check.About("another input");
   vtkNew<SmallPreview> changed;
   SetUp(changed, model, Nothing);

@@ -261,7 +261,7 @@ def check_points(options, updates, points):
     if len(pauses):
         print(f"between updates: {numpy.median(pauses):.3f} s, at most {pauses.max():.3f} s; "
               f"points: {shown[0]} ... {shown[-1]}")
-    few = [points == n for n in shown[:-1]] if not options.coarse else [25_000 < n < 75_000 for n in shown[:-1]]
+    few = [points == n for n in shown[:-1]] if not options.coarse else [12_500 < n < 37_500 for n in shown[:-1]]
     if not all(few) or shown[-1] != points:
         print(f"FAILED: points while dragging, and then: {shown}; of the model: {points}")
         return 1
