@@ -3,7 +3,7 @@
 #include "vtkRestPose.h"
 
 #include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
+#include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -71,8 +71,9 @@ vtkSmartPointer<vtkPolyData> vtkRestPose::AtRest(vtkPolyData* model, vtkPolyData
 {
   vtkSurfaceMeshConversion::CheckPiece(model);
   Check(model, rest);
-  vtkNew<vtkDoubleArray> own;
-  own->DeepCopy(model->GetPoints()->GetData());
+  vtkDataArray* points = model->GetPoints()->GetData();
+  const auto own = vtkSmartPointer<vtkDataArray>::Take(points->NewInstance());
+  own->DeepCopy(points);
   own->SetName(OwnPoints);
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->ShallowCopy(model);
@@ -88,13 +89,12 @@ std::shared_ptr<const SphericalStyle::TriangleMesh> vtkRestPose::TakeBack(
   model->ShallowCopy(solved.Model);
   vtkSmartPointer<vtkDataArray> own = model->GetPointData()->GetArray(OwnPoints);
   model->GetPointData()->RemoveArray(OwnPoints);
+  own->SetName("Points");
   vtkNew<vtkPoints> points;
-  points->SetDataType(solved.Model->GetPoints()->GetDataType());
-  points->GetData()->DeepCopy(own);
-  points->GetData()->SetName("Points");
+  points->SetData(own);
   model->SetPoints(points);
 
-  const std::shared_ptr<const SphericalStyle::TriangleMesh> rest = solved.ShareMesh();
+  std::shared_ptr<const SphericalStyle::TriangleMesh> rest = solved.ShareMesh();
   auto posed = std::make_shared<vtkSurfaceMesh>(*solved.Surface);
   // Backward, so that of points that were welded the first one counts.
   std::size_t notMoved = posed->NotMovedPoints.size();

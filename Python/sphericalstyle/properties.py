@@ -136,7 +136,7 @@ def _property(name):
 def properties():
     """{keyword: Property}, the three that make the shape first."""
     style = vtkSphericalStyleFilter()
-    own = set(dir(style)) - set(dir(vtkPolyDataAlgorithm))
+    own = set(dir(style)) - set(dir(vtkPolyDataAlgorithm)) - {"SetPreview"}  # for windows, while something is dragged
     names = [name[3:] for name in own if name.startswith("Set") and "Get" + name[3:] in own]
     names = [name for name in names if isinstance(getattr(style, "Get" + name)(), (int, float, tuple))]
     first = ["Roundness", "NormalBlend", "DetailSize"]

@@ -16,6 +16,8 @@ from .SphericalStyleFilters import vtkSphericalStyleFilter
 
 #: Keywords for values of each point, and the index of vtkSphericalStyleFilter's input array.
 ARRAYS = {"normals": 0, "roundness_factor": 1, "normal_blend": 2, "target_directions": 3, "region": 4, "center_id": 5}
+#: Keywords for what comes in at a further port.
+MESHES = ("centers", "rest_pose")
 
 
 def round(mesh, *, preset=None, **properties):  # noqa: A001, it is used as sphericalstyle.round
@@ -31,7 +33,8 @@ def round(mesh, *, preset=None, **properties):  # noqa: A001, it is used as sphe
     strings, such as keep_size="Volume". Keywords for values of each point take an array with one value, or one row,
     for each point, or the name of a point array of the mesh: region (0 or False: the point stays), roundness_factor,
     normal_blend, target_directions, normals and center_id. centers has a point for each number of center_id.
-    center and radius set center_mode and radius_mode to "Custom", unless these are given too.
+    center and radius set center_mode and radius_mode to "Custom", unless these are given too. rest_pose is a mesh with
+    the same points and faces in another pose, from which details, thickness and radius are taken.
 
     Coarse flat panels are split first, so the result can have more points and faces than the mesh; its first points
     are those of the mesh. With refine_long_edges="Off" it always has the same.
@@ -110,8 +113,8 @@ def make(preset=None, **keywords):
     """A vtkSphericalStyleFilter with the preset and these properties, without a mesh."""
     known = properties()
     for keyword in keywords:
-        if keyword not in known and keyword not in ARRAYS and keyword != "centers":
-            names = [*known, *ARRAYS, "centers", "preset"]
+        if keyword not in known and keyword not in ARRAYS and keyword not in MESHES:
+            names = [*known, *ARRAYS, *MESHES, "preset"]
             raise TypeError(f"round() has no keyword '{keyword}'{closest(keyword, names)}")
     style = vtkSphericalStyleFilter()
     if preset is not None:
@@ -141,6 +144,8 @@ def add_arrays(style, surface, keywords):
         points.SetData(meshes.point_array(keywords["centers"], "centers"))
         centers.SetPoints(points)
         style.SetCentersData(centers)
+    if keywords.get("rest_pose") is not None:
+        style.SetRestPoseData(meshes.take(keywords["rest_pose"], "rest_pose")[0])
     added = []
     for keyword, value in arrays.items():
         name = value
@@ -180,7 +185,7 @@ def _describe():
     known = properties()
     keywords = [inspect.Parameter(keyword, inspect.Parameter.KEYWORD_ONLY, default=default) for keyword, default in
                 [("preset", None), *((keyword, known[keyword].default) for keyword in known),
-                 *((keyword, None) for keyword in [*ARRAYS, "centers"] if keyword not in known)]]
+                 *((keyword, None) for keyword in [*ARRAYS, *MESHES] if keyword not in known)]]
     mesh = inspect.Parameter("mesh", inspect.Parameter.POSITIONAL_ONLY)
     round.__signature__ = inspect.Signature([mesh, *keywords])
 

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from . import SphericalStyleFilters, meshes
 from .messages import Messages, StyleWarning, printable
 from .model_files import ModelError, is_gltf, read, whole
-from .rounding import add_arrays, is_array, make, raise_errors
+from .rounding import MESHES, add_arrays, is_array, make, raise_errors
 
 
 class Slider(NamedTuple):
@@ -58,7 +58,7 @@ def write_slider(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.
     if isinstance(mesh, (str, os.PathLike)) and is_gltf(pathlib.Path(mesh)):
         if not pathlib.Path(mesh).is_file():
             raise ModelError(f"{printable(mesh)}: no such file")
-        arrays = [keyword for keyword, value in properties.items() if is_array(keyword, value)]
+        arrays = [keyword for keyword, value in properties.items() if is_array(keyword, value) or keyword in MESHES]
         if arrays:
             raise TypeError(f"{arrays[0]} needs a mesh; {printable(mesh)} is only copied")
         writer.SetSourceFileName(os.fsencode(mesh))

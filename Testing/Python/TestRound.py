@@ -239,6 +239,12 @@ fails(TypeError, "roundness must be a number; it is 'two'", creature, roundness=
 fails(TypeError, "number_of_threads must be a whole number", creature, number_of_threads=1.5)
 fails(TypeError, "keep_on_ground must be True or False", creature, keep_on_ground="yes")
 fails(TypeError, "center must be three numbers", creature, center=(1, 2))
+# A rest pose: the same mesh moved as a whole gets the moved result.
+turn = np.array([[0.28, 0, 0.96], [0, 1, 0], [-0.96, 0, 0.28]])
+turned, _ = ss.round((P @ turn.T + 3, F), rest_pose=(P, F), refine_long_edges="Off")
+still, _ = ss.round((P.astype(float), F), refine_long_edges="Off")
+assert np.abs(turned - (still @ turn.T + 3)).max() < 1e-6
+fails(ss.Error, "rest pose has 3 points", (P, F), rest_pose=(P[:3], F[:0]))
 fails(TypeError, "centers needs center_id", creature, centers=[[0, 0, 0]])
 fails(ValueError, f"region must have a value for each of the {len(P)} points; it has 3", creature, region=[1, 0, 1])
 fails(ValueError, "region must be an array", creature, region=["a"] * len(P))

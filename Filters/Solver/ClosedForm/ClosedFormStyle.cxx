@@ -5,6 +5,7 @@
 #include "CarriedDetails.h"
 #include "ClosedFormPreview.h"
 #include "LimbThickness.h"
+#include "LocalStep.h"
 #include "Orientation.h"
 #include "Parallel.h"
 #include "Stage.h"
@@ -146,6 +147,15 @@ struct LengthKey
   }
 };
 
+/// Where the rigid motion nearest to the one from P to X takes the origin.
+Eigen::RowVector3d OriginInPose(const Points& P, const Points& X)
+{
+  const Eigen::RowVector3d from = P.colwise().mean();
+  const Eigen::RowVector3d to = X.colwise().mean();
+  const Eigen::Matrix3d S = (P.rowwise() - from).transpose() * (X.rowwise() - to);
+  return to - (ClosestRotation(S) * from.transpose()).transpose();
+}
+
 /// What moves as a whole.
 struct MovedPart
 {
@@ -228,6 +238,8 @@ public:
   void MakeSmoother(const ClosedFormOptions& o, Smoother& smoother);
   void FindUnknown(int threads, Smoother& smoother) const;
   Points BaseOf(const Points& positions, int threads) const;
+  BaseSlopes SlopesOf(const Points& positions, int threads) const;
+  Points AreaVectors(int threads) const;
   void MakeBase(const ClosedFormOptions& o, SmoothBase& base);
   const Points& Normals(const ClosedFormOptions& o);
   void MakeNormals(int threads, Points& normals) const;
@@ -351,10 +363,46 @@ void ClosedFormStyle::State::MakeBase(const ClosedFormOptions& o, SmoothBase& ba
   {
     return;
   }
-  base.B = this->BaseOf(*this->X, o.threads);
-  base.Slopes.gradients = this->GetGrid().Gradients(base.B, o.threads);
-  base.Slopes.areaVectors = this->GetGrid().AreaVectorsUnder(base.Slopes.gradients, o.threads);
+  if (this->IsPosed())
+  {
+    // The ridge of A_s takes 1 to slightly less: about the origin, as at rest.
+    const Eigen::RowVector3d origin = OriginInPose(*this->P, *this->X);
+    base.B = this->BaseOf(this->X->rowwise() - origin, o.threads).rowwise() + origin;
+  }
+  else
+  {
+    base.B = this->BaseOf(*this->X, o.threads);
+  }
+  base.Slopes = this->SlopesOf(base.B, o.threads);
   this->Step();
+}
+
+BaseSlopes ClosedFormStyle::State::SlopesOf(const Points& positions, int threads) const
+{
+  BaseSlopes slopes;
+  slopes.gradients = this->GetGrid().Gradients(positions, threads);
+  slopes.areaVectors = this->GetGrid().AreaVectorsUnder(slopes.gradients, threads);
+  return slopes;
+}
+
+/// N_k, in a pose turned and scaled as the surface there is.
+Points ClosedFormStyle::State::AreaVectors(int threads) const
+{
+  Points N = this->GetGrid().GetAreaVectors();
+  if (this->IsPosed())
+  {
+    const BaseSlopes atRest = this->SlopesOf(*this->P, threads);
+    const BaseSlopes posed = this->SlopesOf(*this->X, threads);
+    const Fields S = DetailCovariances(this->GetGrid(), atRest, posed, threads);
+    for (Eigen::Index k = 0; k < N.rows(); ++k)
+    {
+      const double before = atRest.areaVectors.row(k).norm();
+      const double ratio = before > 0.0 ? posed.areaVectors.row(k).norm() / before : 0.0;
+      const Eigen::Matrix3d R = ClosestRotation(Eigen::Map<const Eigen::Matrix3d>(S.row(k).data()));
+      N.row(k) = ratio * (R * N.row(k).transpose()).transpose();
+    }
+  }
+  return N;
 }
 
 /// That of the mesh, whatever the pose.
@@ -637,9 +685,7 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o, Points mov
   }
   const SmoothBase& base = this->Base.Get();
   const SurfaceGrid& grid = this->GetGrid();
-  BaseSlopes after;
-  after.gradients = grid.Gradients(moved, o.threads);
-  after.areaVectors = grid.AreaVectorsUnder(after.gradients, o.threads);
+  const BaseSlopes after = this->SlopesOf(moved, o.threads);
   const Fields smooth =
     grid.SmoothTwice(DetailCovariances(grid, base.Slopes, after, o.threads), o.threads);
   Points& positions = this->Result.positions;
@@ -647,9 +693,8 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o, Points mov
     positions, o.keepRotations ? &this->Result.rotations : nullptr);
   const auto areasOf = [&](const Points& points)
   { return grid.AreaVectorsUnder(grid.Gradients(points, o.threads), o.threads); };
-  const Points before = this->IsPosed() ? areasOf(*this->X) : grid.GetAreaVectors();
   const Fields yields = DetailYields(grid.AtSamples(smooth, o.threads),
-    { before, after.areaVectors, areasOf(positions) }, o.threads);
+    { this->AreaVectors(o.threads), after.areaVectors, areasOf(positions) }, o.threads);
   if (!yields.isZero(0.0))
   {
     GiveWay(grid, grid.Smooth(yields, o.threads), *this->P, moved, o.threads, positions);
