@@ -4,10 +4,10 @@
 
 usage: measure_pose.py [--steps N] [MODEL ...]
 
-Each model, or the creature of Data/, is bent to and fro once in N steps (default 60), smoothly. Jitter is the root of
-the mean square of the second differences of the points in time, of the result over that of the model; next to it the
-largest one. Seconds are the median of the steps after the first. Run with PYTHONPATH=build/lib/python3/dist-packages
-/usr/bin/python3. No test checks the times.
+Each model, or the creature of Data/, is bent back and forth once in N steps (default 60), smoothly. Jitter is the root
+of the mean square of the second differences of the points in time, of the result over that of the model; next to it
+the largest one. Seconds are the median of the steps after the first. Run with
+PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3. No test checks the times.
 """
 import argparse
 import pathlib

@@ -6,7 +6,8 @@
 #ifndef vtkGLTFDocument_h
 #define vtkGLTFDocument_h
 
-// VTK's headers include VTK's own copy of the library since 9.4, and two copies do not compile together.
+// VTK's headers include VTK's own copy of the library since 9.4, and two copies do not compile
+// together.
 #if __has_include(<vtk_nlohmannjson.h>)
 #include <vtk_nlohmannjson.h>
 #include VTK_NLOHMANN_JSON(json.hpp)
