@@ -32,7 +32,7 @@ STYLE = "vtkSphericalStyleFilter"
 THESIS = "vtkThesisStyleFilter"
 NONLINEAR = "vtkNonlinearStyleFilter"
 ENERGY = {"DetailSize": 0, "MaximumNumberOfIterations": 20}
-ALL_ARRAYS = {f"Generate{name}": 1 for name in ("TargetDirection", "Displacement", "Normals", "Rotation")}
+ALL_ARRAYS = {f"Generate{name}": 1 for name in ("Displacement", "Normals", "Rotation")}
 CASES = {name: (STYLE, preset.properties) for name, preset in presets.PRESETS.items()} | {
     "defaults": (STYLE, {}),
     "all arrays": (STYLE, ALL_ARRAYS),
