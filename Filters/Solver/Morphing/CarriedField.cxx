@@ -40,6 +40,10 @@ double ShareOfGroup(double distance, double radius)
 CarriedField::CarriedField(const TriangleMesh& rest, const Points& moved, int threads)
   : Moves(moved != rest.P)
 {
+  if (rest.F.rows() == 0)
+  {
+    throw std::invalid_argument("it has no triangle with an area");
+  }
   const Frame frame = FrameOf(rest.P);
   this->Origin = frame.origin;
   this->Scale = frame.scale;
@@ -59,10 +63,6 @@ CarriedField::CarriedField(const TriangleMesh& rest, const Points& moved, int th
       sample.turn = R[i] - Eigen::Matrix3d::Identity();
       samples.push_back(sample);
     }
-  }
-  if (samples.empty())
-  {
-    throw std::invalid_argument("no triangle with an area");
   }
   std::vector<int> order(samples.size());
   std::iota(order.begin(), order.end(), 0);
