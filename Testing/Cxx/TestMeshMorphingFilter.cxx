@@ -196,7 +196,7 @@ void CheckSame(Checker& check, vtkPointSet* result, vtkDataSet* input)
     input->GetCellPoints(c, a);
     result->GetCellPoints(c, b);
     same = same && a->GetNumberOfIds() == b->GetNumberOfIds() &&
-      std::equal(a->begin(), a->end(), b->begin());
+      std::equal(a->GetPointer(0), a->GetPointer(0) + a->GetNumberOfIds(), b->GetPointer(0));
   }
   // The cells of an image become hexahedra, which have another order than voxels.
   check(same || !vtkPointSet::SafeDownCast(input), "cells should have the same points");

@@ -74,6 +74,7 @@ CarriedField::CarriedField(const TriangleMesh& rest, const Points& moved, int th
     this->Split(group, order);
   }
   std::vector<Group> sorted;
+  sorted.reserve(order.size());
   for (const int k : order)
   {
     sorted.push_back(this->Samples[k]);

@@ -552,7 +552,10 @@ std::vector<char> InvertedByBoundary(
         {
           edges.col(k) = (P.row(ids[corner[k + 1]]) - P.row(ids[corner[0]])).transpose();
         }
-        flags[cell] = flags[cell] || !(edges.determinant() > 0.0);
+        if (!(edges.determinant() > 0.0))
+        {
+          flags[cell] = 1;
+        }
       }
     }
   }
