@@ -522,6 +522,47 @@ columns = [gauss_panels(surface, label) for surface, label in (
 picture("gauss-map.png", (800, 620), list(zip(*columns)), 25.0, 12, few_colors=False,
         make_actor=lambda actor: actor)
 
+# ----------------------------------------------------------------------------------- mesh morphing
+def cut_open(grid):
+    """The cells of the lower half."""
+    side = numpy_support.numpy_to_vtk(lower.astype(float), deep=True)
+    side.SetName("Lower")
+    grid.GetCellData().AddArray(side)
+    half = vtkThreshold()
+    half.SetInputData(grid)
+    half.SetInputArrayToProcess(0, 0, 0, 1, "Lower")
+    half.SetLowerThreshold(0.5)
+    half.SetUpperThreshold(1.5)
+    surface = vtkGeometryFilter()
+    surface.SetInputConnection(half.GetOutputPort())
+    surface.Update()
+    return surface.GetOutput()
+
+
+def with_edges(surface):
+    actor = vtkActor()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(surface)
+    mapper.ScalarVisibilityOff()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.88, 0.62, 0.47)
+    actor.GetProperty().EdgeVisibilityOn()
+    actor.GetProperty().SetEdgeColor(0.2, 0.2, 0.25)
+    return actor
+
+
+if wanted("mesh-morphing.png"):
+    import mesh_morphing  # needs scipy
+
+    bar = mesh_morphing.MESHES["bent bar, mixed"]()
+    lower = mesh_morphing.middles(bar)[:, 2] < 0.5
+    round_bar = mesh_morphing.rounded_surface(bar, 5.0)
+    picture("mesh-morphing.png", (1200, 330), [[
+        (cut_open(bar), "at rest"),
+        (cut_open(mesh_morphing.laplacian(bar, round_bar)[0]), "Laplacian morphing"),
+        (cut_open(mesh_morphing.ours(bar, round_bar)[0]), "Mesh Morphing"),
+    ]], 10.0, 13, make_actor=with_edges)
+
 # -------------------------------------------------------------------------------------- comparators
 ours = (rounded(creature), "Spherical Style")
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The table of the filters, Filters/filters.json: FILTERS[name] is an entry, with "class" and "proxy" besides.
 
-A filter that needs what this build does without is not in it.
+A filter that needs what this build does without is not in it. SURFACE_FILTERS are those that need no second input.
 """
 import json
 import os
@@ -15,3 +15,4 @@ with open(PATH, encoding="utf-8") as file:
            for entry in json.load(file)["filters"]}
 FILTERS = {name: entry for name, entry in ALL.items()
            if "needs" not in entry or hasattr(sphericalstyle, entry["class"])}
+SURFACE_FILTERS = {name: entry for name, entry in FILTERS.items() if entry["kind"] != "carry"}

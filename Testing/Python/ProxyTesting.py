@@ -115,13 +115,14 @@ def move(display, x):
     setattr(display, "Position" if GetParaViewVersion() < (5, 13) else "Translation", [x, 0.0, 0.0])
 
 
-def same_picture(outputs):
+def same_picture(outputs, representation="Surface"):
     """Whether the outputs side by side look like the baseline of the command line."""
     view = CreateRenderView(ViewSize=[800, 200], UseColorPaletteForBackground=0,
                             Background=[1.0, 1.0, 1.0], OrientationAxesVisibility=0)
     for place, output in enumerate(outputs):
         display = Show(output, view)
         display.ColorArrayName = ["POINTS", ""]
+        display.Representation = representation
         display.AmbientColor = display.DiffuseColor = [0.88, 0.62, 0.47]
         move(display, 1.3 * place)
     Render(view)  # the first one resets the camera

@@ -14,7 +14,7 @@ from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from FilterTable import FILTERS
+from FilterTable import SURFACE_FILTERS
 
 PLUGIN, DATA = sys.argv[1:3]
 PORT, PROCESSES = map(int, sys.argv[3:5])
@@ -31,7 +31,7 @@ RUNS = {
     "Convex Proxy Deform": ("ConvexProxyDeform", {"Blend": 0.3, "NumberOfProxyPoints": 500}),
     "Surface Metrics": ("SurfaceMetrics", {"EstimateCondition": 1, "FindSelfIntersections": 0}),
 }
-RUNS |= {entry["label"]: (entry["proxy"], entry["quick"]) for entry in FILTERS.values() if entry["label"] not in RUNS}
+RUNS |= {entry["label"]: (entry["proxy"], entry["quick"]) for entry in SURFACE_FILTERS.values() if entry["label"] not in RUNS}
 
 
 def contents(data):

@@ -20,7 +20,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 import sphericalstyle
 import FilterTable
 
-FILTERS = [getattr(sphericalstyle, entry["class"]) for name, entry in FilterTable.FILTERS.items()
+FILTERS = [getattr(sphericalstyle, entry["class"]) for name, entry in FilterTable.SURFACE_FILTERS.items()
            if name != "SurfaceDiagnostics"]
 assert len(FILTERS) >= 6
 TAKES_ALL = sphericalstyle.vtkSurfaceDiagnostics  # points that are not finite are no error for it

@@ -9,7 +9,7 @@ import os
 import sys
 
 import ProxyTesting
-from FilterTable import FILTERS
+from FilterTable import SURFACE_FILTERS
 from paraview import smtrace
 from paraview.simple import *
 
@@ -51,7 +51,7 @@ CASES = {
     "ConvexProxyDeform": [{"Blend": 0.3, "Transfer": "Offset"}],
     "SurfaceDiagnostics": [{"SliverAngle": 5.0}],
 }
-CASES |= {entry["proxy"]: [{}] for entry in FILTERS.values() if entry["proxy"] not in CASES}
+CASES |= {entry["proxy"]: [{}] for entry in SURFACE_FILTERS.values() if entry["proxy"] not in CASES}
 tried = 0
 for filter_name, cases in CASES.items():
     if filter_name not in globals():

@@ -25,7 +25,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "Testing/Python"))
 import FilterTable  # noqa: E402
 
-FILTERS = list(FilterTable.FILTERS.values())
+FILTERS = list(FilterTable.SURFACE_FILTERS.values())
 # The method of the thesis in closed form, with cotangent weights: the smooth blend with the sphere.
 THESIS = {"NormalBlend": 0.0, "DetailSize": 0.0, "KeepSize": 0, "RefineLongEdges": 0}
 # What the sheet shows: the defaults and presets.

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The volume cells of a data set as the solver takes them. Private.
+#ifndef vtkVolumeCells_h
+#define vtkVolumeCells_h
+
+#include "VolumeMesh.h"
+#include "vtkType.h" // for vtkIdType
+
+#include <vector>
+
+class vtkDataSet;
+
+namespace vtkVolumeCells
+{
+struct Volume
+{
+  SphericalStyle::VolumeMesh Mesh; ///< numbered the right way round; all points of the data set
+  std::vector<vtkIdType> Cells;    ///< input cell of each
+};
+
+/// The points of a data set, n x 3.
+/// @throw std::invalid_argument naming the first that is not finite or beyond 1e300
+SphericalStyle::Points PointsOf(vtkDataSet* input);
+
+/// Tetrahedra, pyramids, wedges, hexahedra and voxels. Cells without a volume are left out; of an
+/// image or a rectilinear grid, whose cells cannot move one by one, all.
+/// @param P  of the input
+/// @throw std::invalid_argument naming the first cell of another kind, with a point id out of range
+///        or with too few points
+Volume FromDataSet(vtkDataSet* input, const SphericalStyle::Points& P);
+}
+
+#endif

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Cells of known quality, which points a boundary has, and numberings the other way round.
+#include "Check.h"
+#include "Volumes.h"
+
+#include <Eigen/LU>
+
+using namespace Volumes;
+
+namespace
+{
+VolumeMesh MakeBestCell(CellShape shape)
+{
+  VolumeMesh mesh;
+  mesh.Offsets.push_back(0);
+  std::vector<int> ids(NumberOfPoints(shape));
+  std::iota(ids.begin(), ids.end(), 0);
+  AddCell(mesh, shape, ids);
+  const double h = std::sqrt(0.75);
+  Points P(NumberOfPoints(shape), 3);
+  switch (shape)
+  {
+    case CellShape::Tetrahedron:
+      P << 0, 0, 0, 1, 0, 0, 0.5, h, 0, 0.5, h / 3, std::sqrt(2.0 / 3.0);
+      break;
+    case CellShape::Pyramid:
+      P << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5, std::sqrt(0.5);
+      break;
+    case CellShape::Wedge:
+      P << 0, 0, 0, 1, 0, 0, 0.5, h, 0, 0, 0, 1, 1, 0, 1, 0.5, h, 1;
+      break;
+    case CellShape::Hexahedron:
+      P << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1;
+      break;
+  }
+  mesh.P = P;
+  return mesh;
+}
+
+void TestBestCells()
+{
+  Meshes::Random random(7);
+  for (const CellShape shape : AllShapes)
+  {
+    const VolumeMesh mesh = MakeBestCell(shape);
+    const int name = static_cast<int>(shape);
+    CHECK_NEAR(ScaledJacobian(mesh, 0, mesh.P), 1.0, 1e-14, "best cell of shape " << name);
+    const Eigen::Matrix3d R =
+      Eigen::AngleAxisd(1.0, random.InCube().normalized()).toRotationMatrix();
+    const Points turned = 3.0 * mesh.P * R.transpose();
+    CHECK_NEAR(ScaledJacobian(mesh, 0, turned), 1.0, 1e-13, "turned and scaled, shape " << name);
+    Points mirrored = mesh.P;
+    mirrored.col(0) *= -1.0;
+    CHECK(ScaledJacobian(mesh, 0, mirrored) < -0.9, "shape " << name << " should be inverted");
+    Points flat = mesh.P;
+    flat.col(2).setZero();
+    CHECK(ScaledJacobian(mesh, 0, flat) == 0.0, "flat shape " << name);
+  }
+}
+
+// A cube sheared by an angle: all corners have the determinant 1 and one edge of 1 / cos.
+void TestShearedCube()
+{
+  const VolumeMesh mesh = MakeBestCell(CellShape::Hexahedron);
+  for (const double angle : { 0.1, 0.7, 1.4 })
+  {
+    Points sheared = mesh.P;
+    sheared.col(0) += std::tan(angle) * mesh.P.col(2);
+    CHECK_NEAR(ScaledJacobian(mesh, 0, sheared), std::cos(angle), 1e-14, "sheared by " << angle);
+  }
+}
+
+void TestBoundary()
+{
+  const int n = 4;
+  for (const CellShape shape : AllShapes)
+  {
+    const VolumeMesh mesh = MakeCube(n, shape);
+    CHECK(ScaledJacobians(mesh, mesh.P, 1).minCoeff() > 0.3,
+      "no cell of a cube is inverted, shape " << static_cast<int>(shape));
+    const std::vector<char> boundary = BoundaryPoints(mesh);
+    for (Eigen::Index i = 0; i < mesh.P.rows(); ++i)
+    {
+      const Eigen::RowVector3d x = mesh.P.row(i);
+      const bool outside = x.minCoeff() == 0.0 || x.maxCoeff() == 1.0;
+      CHECK((boundary[i] != 0) == outside, "point " << i << " at " << x);
+    }
+  }
+}
+
+// A wedge written as a hexahedron with an edge of no length is a wedge to its neighbor.
+void TestCollapsedHexahedron()
+{
+  VolumeMesh mesh = MakeBestCell(CellShape::Wedge);
+  AddCell(mesh, CellShape::Hexahedron, { 3, 4, 5, 5, 6, 7, 8, 8 });
+  Points P(9, 3);
+  P.topRows(6) = mesh.P;
+  P.bottomRows(3) = mesh.P.bottomRows(3);
+  P.bottomRows(3).col(2).setConstant(2.0);
+  mesh.P = P;
+  // Of nine points all lie outside; with a third one on top the triangle between is inside, so that
+  // only a point in its middle would be.
+  const std::vector<char> boundary = BoundaryPoints(mesh);
+  CHECK(std::count(boundary.begin(), boundary.end(), 1) == 9, "all points are outside");
+  CHECK(ScaledJacobian(mesh, 1, mesh.P) == 0.0, "an edge without a length counts as flat");
+}
+
+void TestOrientation()
+{
+  for (const CellShape shape : AllShapes)
+  {
+    VolumeMesh mesh = MakeCube(2, shape);
+    CHECK(!OrientCells(mesh), "a good mesh stays");
+    mesh.P.col(1) *= -1.0;
+    CHECK(OrientCells(mesh), "a mirrored mesh is turned");
+    CHECK(ScaledJacobians(mesh, mesh.P, 1).minCoeff() > 0.3, "no cell is inverted then");
+  }
+}
+}
+
+int main()
+{
+  TestBestCells();
+  TestShearedCube();
+  TestBoundary();
+  TestCollapsedHexahedron();
+  TestOrientation();
+  return CheckResult();
+}
