@@ -39,7 +39,7 @@ const std::vector<std::array<int, 2>>& MirrorOf(CellShape shape)
   return swaps[static_cast<std::size_t>(shape)];
 }
 
-Eigen::Matrix3d EdgesAt(const int* ids, const Corner& corner, const Points& P)
+Eigen::Matrix3d EdgesAt(const int* ids, const CellCorner& corner, const Points& P)
 {
   Eigen::Matrix3d edges;
   for (int k = 0; k < 3; ++k)
@@ -83,14 +83,14 @@ int NumberOfPoints(CellShape shape)
   return numbers[static_cast<std::size_t>(shape)];
 }
 
-const std::vector<Corner>& CornersOf(CellShape shape)
+const std::vector<CellCorner>& CornersOf(CellShape shape)
 {
-  static const std::array<std::vector<Corner>, 4> corners = {
-    std::vector<Corner>{ { 0, 1, 2, 3 }, { 1, 2, 0, 3 }, { 2, 0, 1, 3 }, { 3, 1, 0, 2 } },
-    std::vector<Corner>{ { 0, 1, 3, 4 }, { 1, 2, 0, 4 }, { 2, 3, 1, 4 }, { 3, 0, 2, 4 } },
-    std::vector<Corner>{ { 0, 1, 2, 3 }, { 1, 2, 0, 4 }, { 2, 0, 1, 5 }, { 3, 5, 4, 0 },
+  static const std::array<std::vector<CellCorner>, 4> corners = {
+    std::vector<CellCorner>{ { 0, 1, 2, 3 }, { 1, 2, 0, 3 }, { 2, 0, 1, 3 }, { 3, 1, 0, 2 } },
+    std::vector<CellCorner>{ { 0, 1, 3, 4 }, { 1, 2, 0, 4 }, { 2, 3, 1, 4 }, { 3, 0, 2, 4 } },
+    std::vector<CellCorner>{ { 0, 1, 2, 3 }, { 1, 2, 0, 4 }, { 2, 0, 1, 5 }, { 3, 5, 4, 0 },
       { 4, 3, 5, 1 }, { 5, 4, 3, 2 } },
-    std::vector<Corner>{ { 0, 1, 3, 4 }, { 1, 2, 0, 5 }, { 2, 3, 1, 6 }, { 3, 0, 2, 7 },
+    std::vector<CellCorner>{ { 0, 1, 3, 4 }, { 1, 2, 0, 5 }, { 2, 3, 1, 6 }, { 3, 0, 2, 7 },
       { 4, 7, 5, 0 }, { 5, 4, 6, 1 }, { 6, 5, 7, 2 }, { 7, 6, 4, 3 } }
   };
   return corners[static_cast<std::size_t>(shape)];
@@ -128,7 +128,7 @@ bool OrientCells(VolumeMesh& mesh)
   for (int cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
     const CellShape shape = mesh.Shapes[cell];
-    for (const Corner& corner : CornersOf(shape))
+    for (const CellCorner& corner : CornersOf(shape))
     {
       volumes[static_cast<std::size_t>(shape)] +=
         EdgesAt(mesh.PointsOf(cell), corner, mesh.P).determinant();
@@ -157,7 +157,7 @@ double ScaledJacobian(const VolumeMesh& mesh, int cell, const Points& P)
   const int* ids = mesh.PointsOf(cell);
   double smallest =
     shape == CellShape::Hexahedron ? Scaled(MiddleAxes(ids, P)) : BestDeterminant(shape);
-  for (const Corner& corner : CornersOf(shape))
+  for (const CellCorner& corner : CornersOf(shape))
   {
     smallest = std::min(smallest, Scaled(EdgesAt(ids, corner, P)));
   }

@@ -34,8 +34,8 @@ struct VolumeMesh
 
 /// A corner of a cell: the point and the three at the other ends of its edges, numbered within the
 /// cell and so that the edges are right-handed in a cell that is not inverted.
-using Corner = std::array<int, 4>;
-const std::vector<Corner>& CornersOf(CellShape shape);
+using CellCorner = std::array<int, 4>;
+const std::vector<CellCorner>& CornersOf(CellShape shape);
 int NumberOfPoints(CellShape shape);
 /// The three edges at a corner of the best cell of a shape, as columns, of length 1. The best
 /// pyramid has edges of equal length.

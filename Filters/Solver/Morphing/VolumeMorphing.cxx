@@ -35,7 +35,7 @@ constexpr double FlatCorner = 1e-6;
 /// A corner of a cell as a linear element: J = sum over k of x_k gradient_k^T.
 struct Element
 {
-  Corner points;                         ///< of the mesh
+  CellCorner points;                     ///< of the mesh
   Eigen::Matrix<double, 4, 3> gradients; ///< of the four hat functions, 1 / length
   double weight = 0.0;                   ///< volume
 };
@@ -48,7 +48,7 @@ std::vector<Element> MakeElements(const VolumeMesh& mesh, const Points& P)
   {
     const int* ids = mesh.PointsOf(cell);
     const CellShape shape = mesh.Shapes[cell];
-    const std::vector<Corner>& corners = CornersOf(shape);
+    const std::vector<CellCorner>& corners = CornersOf(shape);
     // A tetrahedron is the same at each of its corners.
     const std::size_t count = shape == CellShape::Tetrahedron ? 1 : corners.size();
     for (std::size_t k = 0; k < count; ++k)
@@ -543,7 +543,7 @@ std::vector<char> InvertedByBoundary(
   for (int cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
     const int* ids = mesh.PointsOf(cell);
-    for (const Corner& corner : CornersOf(mesh.Shapes[cell]))
+    for (const CellCorner& corner : CornersOf(mesh.Shapes[cell]))
     {
       if (std::all_of(corner.begin(), corner.end(), [&](int k) { return isFixed[ids[k]] != 0; }))
       {

@@ -90,9 +90,9 @@ double EnergyOf(const VolumeMesh& mesh, const Points& Q)
   for (int cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
     const int* ids = mesh.PointsOf(cell);
-    const std::vector<Corner>& corners = CornersOf(mesh.Shapes[cell]);
+    const std::vector<CellCorner>& corners = CornersOf(mesh.Shapes[cell]);
     const double share = mesh.Shapes[cell] == CellShape::Tetrahedron ? 0.25 : 1.0; // all are one
-    for (const Corner& c : corners)
+    for (const CellCorner& c : corners)
     {
       Eigen::Matrix3d before;
       Eigen::Matrix3d after;
