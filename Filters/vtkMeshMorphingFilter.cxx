@@ -42,7 +42,6 @@ vtkStandardNewMacro(vtkMeshMorphingFilter);
 
 namespace
 {
-constexpr int SURFACE = 1; // input port
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Of the diagonal: how far a point of the boundary may be from its point of the surface.
 constexpr double Tolerance = 1e-6;
@@ -102,10 +101,7 @@ SphericalStyle::CarriedField MakeField(const MovedSurface& surface, int threads)
 {
   const vtkSurfaceMesh mesh = vtkSurfaceMeshConversion::FromPolyData(surface.Rest, true);
   Points Q = mesh.Mesh.P;
-  for (Eigen::Index i = Q.rows(); i-- > 0;)
-  {
-    Q.row(i) += surface.Displacements.row(mesh.FirstInputPoint(static_cast<int>(i)));
-  }
+  Q += surface.Displacements(mesh.FirstInputPoints(), SphericalStyle::AllColumns);
   return { mesh.Mesh, Q, threads };
 }
 

@@ -369,9 +369,9 @@ std::shared_ptr<const vtkCoarseSurface> vtkCoarseSurface::Make(
     TrianglesBetween(surface.GetCorners(), numbers), points);
   coarse->Surface = vtkSurfaceMeshConversion::FromPolyData(coarse->Model, surface.Welded);
   auto places = std::make_shared<SphericalStyle::PreviewPlaces>();
-  for (int i = 0; i < coarse->Surface.Mesh.P.rows(); ++i)
+  for (const vtkIdType i : coarse->Surface.FirstInputPoints())
   {
-    places->points.push_back(surface.MeshPoint[points->GetId(coarse->Surface.FirstInputPoint(i))]);
+    places->points.push_back(surface.MeshPoint[points->GetId(i)]);
   }
   if (area > 0.0)
   {

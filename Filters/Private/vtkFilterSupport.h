@@ -29,6 +29,7 @@ enum InputPorts
   PROXY = 1,      // vtkConvexProxyDeformFilter
   REFERENCE = 1,  // vtkSurfaceMetrics
   STYLE_MESH = 1, // vtkNormalAnalogyFilter
+  SURFACE = 1,    // vtkMeshMorphingFilter
   SELECTION = 2,
   REST_POSE = 3
 };

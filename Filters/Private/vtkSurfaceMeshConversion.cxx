@@ -965,6 +965,19 @@ vtkIdType vtkSurfaceMesh::FirstInputPoint(int i) const
   return std::find(this->MeshPoint.begin(), this->MeshPoint.end(), i) - this->MeshPoint.begin();
 }
 
+std::vector<vtkIdType> vtkSurfaceMesh::FirstInputPoints() const
+{
+  std::vector<vtkIdType> first(this->Mesh.P.rows(), -1);
+  for (std::size_t i = this->MeshPoint.size(); i-- > 0;)
+  {
+    if (this->MeshPoint[i] != NotMoved)
+    {
+      first[this->MeshPoint[i]] = static_cast<vtkIdType>(i);
+    }
+  }
+  return first;
+}
+
 namespace vtkSurfaceMeshConversion
 {
 vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take,

@@ -65,8 +65,10 @@ struct vtkSurfaceMesh
   vtkIdType FirstFannedPolygon = -1;
   int FirstFannedProcess = -1;
 
-  /// First input point of mesh point i.
+  /// First input point of mesh point i. A search: where many are wanted, take all.
   vtkIdType FirstInputPoint(int i) const;
+  /// That of each mesh point.
+  std::vector<vtkIdType> FirstInputPoints() const;
 };
 
 namespace vtkSurfaceMeshConversion
