@@ -211,13 +211,15 @@ public:
   // Of the mesh.
   Stage<OfMesh, Triangles> Turned; // facing outward; none where they do already
   Stage<BaseKey, Smoother> Smooth;
-  Stage<OfVersion, Points> RestBase; // none without a pose
+  Stage<OfVersion, Points> RestBase;       // none without a pose, as the next one
+  Stage<OfVersion, BaseSlopes> RestSlopes; // of P
   Stage<ThicknessKey, Eigen::VectorXd> Thickness;
   // Of the pose.
   Stage<OfPose, Eigen::VectorXd> Areas; // of the points
   Stage<LengthKey, double> RestLength;  // of the whole model
   Stage<PosedKey, SmoothBase> Base;
   Stage<OfVersion, Points> OwnNormals;  // of the base
+  Stage<OfVersion, Points> PosedAreas;  // N_k, none without a pose
   Stage<SphereKey, Sphere> WholeSphere; // of the whole base
   Stage<SharesKey, CenterJoints> Joints;
   Stage<PreviewKey, ClosedFormPreview> Preview;
@@ -239,7 +241,8 @@ public:
   void FindUnknown(int threads, Smoother& smoother) const;
   Points BaseOf(const Points& positions, int threads) const;
   BaseSlopes SlopesOf(const Points& positions, int threads) const;
-  Points AreaVectors(int threads) const;
+  const Points& AreaVectors(int threads);
+  void MakeAreaVectors(int threads, Points& N);
   void MakeBase(const ClosedFormOptions& o, SmoothBase& base);
   const Points& Normals(const ClosedFormOptions& o);
   void MakeNormals(int threads, Points& normals) const;
@@ -386,23 +389,32 @@ BaseSlopes ClosedFormStyle::State::SlopesOf(const Points& positions, int threads
 }
 
 /// N_k, in a pose turned and scaled as the surface there is.
-Points ClosedFormStyle::State::AreaVectors(int threads) const
+const Points& ClosedFormStyle::State::AreaVectors(int threads)
 {
-  Points N = this->GetGrid().GetAreaVectors();
-  if (this->IsPosed())
+  if (!this->IsPosed())
   {
-    const BaseSlopes atRest = this->SlopesOf(*this->P, threads);
-    const BaseSlopes posed = this->SlopesOf(*this->X, threads);
-    const Fields S = DetailCovariances(this->GetGrid(), atRest, posed, threads);
-    for (Eigen::Index k = 0; k < N.rows(); ++k)
-    {
-      const double before = atRest.areaVectors.row(k).norm();
-      const double ratio = before > 0.0 ? posed.areaVectors.row(k).norm() / before : 0.0;
-      const Eigen::Matrix3d R = ClosestRotation(Eigen::Map<const Eigen::Matrix3d>(S.row(k).data()));
-      N.row(k) = ratio * (R * N.row(k).transpose()).transpose();
-    }
+    return this->GetGrid().GetAreaVectors();
   }
-  return N;
+  this->PosedAreas.Update(
+    { this->Base.GetVersion() }, [&](Points& N) { this->MakeAreaVectors(threads, N); });
+  return this->PosedAreas.Get();
+}
+
+void ClosedFormStyle::State::MakeAreaVectors(int threads, Points& N)
+{
+  this->RestSlopes.Update({ this->Smooth.GetVersion() },
+    [&](BaseSlopes& slopes) { slopes = this->SlopesOf(*this->P, threads); });
+  const BaseSlopes& atRest = this->RestSlopes.Get();
+  const BaseSlopes posed = this->SlopesOf(*this->X, threads);
+  const Fields S = DetailCovariances(this->GetGrid(), atRest, posed, threads);
+  N = this->GetGrid().GetAreaVectors();
+  for (Eigen::Index k = 0; k < N.rows(); ++k)
+  {
+    const double before = atRest.areaVectors.row(k).norm();
+    const double ratio = before > 0.0 ? posed.areaVectors.row(k).norm() / before : 0.0;
+    const Eigen::Matrix3d R = ClosestRotation(Eigen::Map<const Eigen::Matrix3d>(S.row(k).data()));
+    N.row(k) = ratio * (R * N.row(k).transpose()).transpose();
+  }
 }
 
 /// That of the mesh, whatever the pose.
@@ -691,10 +703,9 @@ void ClosedFormStyle::State::CarryDetails(const ClosedFormOptions& o, Points mov
   Points& positions = this->Result.positions;
   SphericalStyle::CarryDetails(grid, smooth, { *this->P, *this->X, base.B }, moved, o.threads,
     positions, o.keepRotations ? &this->Result.rotations : nullptr);
-  const auto areasOf = [&](const Points& points)
-  { return grid.AreaVectorsUnder(grid.Gradients(points, o.threads), o.threads); };
+  const Points carried = this->SlopesOf(positions, o.threads).areaVectors;
   const Fields yields = DetailYields(grid.AtSamples(smooth, o.threads),
-    { this->AreaVectors(o.threads), after.areaVectors, areasOf(positions) }, o.threads);
+    { this->AreaVectors(o.threads), after.areaVectors, carried }, o.threads);
   if (!yields.isZero(0.0))
   {
     GiveWay(grid, grid.Smooth(yields, o.threads), *this->P, moved, o.threads, positions);
