@@ -5,13 +5,34 @@ import base64
 import copy
 import json
 import os
+import shutil
 import struct
+import subprocess
 import urllib.parse
 
 import numpy as np
 
 TYPES = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
+VALIDATOR = """
+const validator = require(process.argv[1] + "/gltf-validator"), fs = require("fs"), path = require("path");
+Promise.all(process.argv.slice(2).map(file => validator.validateBytes(new Uint8Array(fs.readFileSync(file)), {
+  externalResourceFunction: uri => fs.promises.readFile(path.join(path.dirname(file), decodeURIComponent(uri)))
+    .then(bytes => new Uint8Array(bytes))
+}))).then(reports => console.log(JSON.stringify(reports.map(report => report.issues))));
+"""
 COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
+
+
+def find_validator():
+    """The folder of Khronos' validator, $SPHERICALSTYLE_GLTF_VALIDATOR, or None where it or node is not there."""
+    modules = os.environ.get("SPHERICALSTYLE_GLTF_VALIDATOR", "")
+    return modules if shutil.which("node") and os.path.isdir(os.path.join(modules, "gltf-validator")) else None
+
+
+def validate(modules, files):
+    """What Khronos' validator finds in each file: its "issues", such as numErrors and messages."""
+    command = ["node", "-e", VALIDATOR, os.path.abspath(modules), *map(os.path.abspath, files)]
+    return json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
 
 
 def load(path):

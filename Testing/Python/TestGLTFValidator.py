@@ -5,23 +5,16 @@
 usage: TestGLTFValidator.py DATA_FOLDER
 $SPHERICALSTYLE_GLTF_VALIDATOR is the folder node_modules that "npm install gltf-validator" makes.
 """
-import json
 import os
-import shutil
-import subprocess
 import sys
 import tempfile
 import warnings
 
+import GLTFFiles
 import sphericalstyle as ss
 
-SCRIPT = """
-const validator = require(process.argv[1] + "/gltf-validator"), fs = require("fs");
-Promise.all(process.argv.slice(2).map(file => validator.validateBytes(new Uint8Array(fs.readFileSync(file)))))
-  .then(reports => console.log(JSON.stringify(reports.map(report => report.issues))));
-"""
-modules = os.environ.get("SPHERICALSTYLE_GLTF_VALIDATOR", "")
-if not (shutil.which("node") and os.path.isdir(os.path.join(modules, "gltf-validator"))):
+modules = GLTFFiles.find_validator()
+if not modules:
     print("no validator: skipped")
     sys.exit(77)
 warnings.simplefilter("ignore", ss.StyleWarning)  # of thin parts
@@ -35,8 +28,7 @@ for name in sorted(os.listdir(data)):
         ss.write_slider(some, mesh, tolerance=0.01)
         ss.write_slider(more, some, tolerance=0.01)
         files += [one, some, more]
-command = ["node", "-e", SCRIPT, os.path.abspath(modules), *files]
-reports = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
+reports = GLTFFiles.validate(modules, files)
 for file, report in zip(files, reports):
     print(os.path.basename(file), *(f"{report[key]} {key[3:].lower()}" for key in ("numErrors", "numWarnings", "numInfos")))
     assert report["numErrors"] == report["numWarnings"] == 0, report["messages"]

@@ -10,10 +10,8 @@ Khronos' validator says of the file before and after, if $SPHERICALSTYLE_GLTF_VA
 finds an error that it has not found before. The models of https://github.com/KhronosGroup/glTF-Sample-Models will do.
 """
 import argparse
-import json
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 import time
@@ -24,23 +22,12 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import GLTFFiles
 import sphericalstyle as ss
 
-SCRIPT = """
-const validator = require(process.argv[1] + "/gltf-validator"), fs = require("fs"), path = require("path");
-Promise.all(process.argv.slice(2).map(file => validator.validateBytes(new Uint8Array(fs.readFileSync(file)), {
-  uri: path.basename(file), maxIssues: 0,
-  externalResourceFunction: uri => fs.promises.readFile(path.join(path.dirname(file), decodeURIComponent(uri)))
-    .then(bytes => new Uint8Array(bytes))
-}))).then(reports => console.log(JSON.stringify(reports.map(report => report.issues))));
-"""
-
 
 def issues(modules, files):
     """The numbers of errors and warnings that the validator finds in each file; (-1, -1) without a validator."""
     if not modules:
         return [(-1, -1)] * len(files)
-    command = ["node", "-e", SCRIPT, os.path.abspath(modules), *map(os.path.abspath, files)]
-    reports = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
-    return [(report["numErrors"], report["numWarnings"]) for report in reports]
+    return [(report["numErrors"], report["numWarnings"]) for report in GLTFFiles.validate(modules, files)]
 
 
 def copied(path, folder):
@@ -90,7 +77,7 @@ def main():
     print("| file | meshes | images | skins | targets | animations | new targets | error | jump | seconds"
           " | errors, warnings before | after | buffers | JSON |")
     print("|---" * 14 + "|")
-    modules = os.environ.get("SPHERICALSTYLE_GLTF_VALIDATOR", "")
+    modules = GLTFFiles.find_validator()
     good = True
     for path in arguments.files:
         try:
