@@ -371,6 +371,18 @@ inline Surface Mapped(
   return copy;
 }
 
+/// An ellipsoid of `rings` with bumps, and so with creases, in which details give way.
+inline Surface MakeBumps(int rings)
+{
+  const Surface ellipsoid = MakeEllipsoid({ 1.0, 1.5, 0.8 }, Faces::Triangles, rings, rings);
+  return Mapped(ellipsoid,
+    [](const Vector& x)
+    {
+      const double r = 1.0 + 0.25 * std::sin(7.0 * x[0]) * std::cos(8.0 * x[1] + x[2]);
+      return Vector{ r * x[0], r * x[1], r * x[2] };
+    });
+}
+
 /// A copy with points of number type `type`.
 inline Surface WithPointsOf(vtkPolyData* surface, int type)
 {

@@ -40,16 +40,10 @@ void AddNumbers(vtkDataSetAttributes* attributes, vtkIdType number)
   attributes->AddArray(ids);
 }
 
-/// A body with bumps, and so with creases, whose points and triangles know their numbers.
+/// Its points and triangles know their numbers.
 Surface Large()
 {
-  const Surface ellipsoid = MakeEllipsoid({ 1.0, 1.5, 0.8 }, Faces::Triangles, 100, 100);
-  Surface surface = Mapped(ellipsoid,
-    [](const Vector& x)
-    {
-      const double r = 1.0 + 0.25 * std::sin(7.0 * x[0]) * std::cos(8.0 * x[1] + x[2]);
-      return Vector{ r * x[0], r * x[1], r * x[2] };
-    });
+  Surface surface = MakeBumps(100);
   AddNumbers(surface->GetPointData(), surface->GetNumberOfPoints());
   AddNumbers(surface->GetCellData(), surface->GetNumberOfCells());
   return surface;

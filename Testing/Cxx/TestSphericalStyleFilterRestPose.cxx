@@ -15,16 +15,10 @@ namespace
 {
 using Setting = std::pair<const char*, std::function<void(vtkSphericalStyleFilter*)>>;
 
-/// A body with bumps whose upper half has another center id.
+/// Its upper half has another center id.
 Surface Body()
 {
-  const Surface ellipsoid = MakeEllipsoid({ 1.0, 1.5, 0.8 }, Faces::Triangles, 40, 40);
-  Surface surface = Mapped(ellipsoid,
-    [](const Vector& x)
-    {
-      const double r = 1.0 + 0.25 * std::sin(7.0 * x[0]) * std::cos(8.0 * x[1] + x[2]);
-      return Vector{ r * x[0], r * x[1], r * x[2] };
-    });
+  Surface surface = MakeBumps(40);
   vtkNew<vtkIntArray> halves;
   halves->SetName("Half");
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
