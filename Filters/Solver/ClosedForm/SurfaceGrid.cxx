@@ -839,7 +839,8 @@ SparseCholesky::Matrix LowerMatrix(
 }
 }
 
-SparseCholesky::Matrix SurfaceGrid::Assemble(double mass, double stiffness, int threads) const
+SparseCholesky::Matrix SurfaceGrid::Assemble(
+  double mass, const Eigen::VectorXd& stiffness, int threads) const
 {
   const int cells = static_cast<int>(this->Functions.size()) / Near;
   std::vector<double> values(
@@ -869,7 +870,7 @@ SparseCholesky::Matrix SurfaceGrid::Assemble(double mass, double stiffness, int 
           for (int k = this->FirstSample[begin + c]; k < this->FirstSample[begin + c + 1]; ++k)
           {
             AddSample(LocalFunctions(this->Locals.row(k)), this->Tangents.row(k),
-              std::sqrt(mass * this->Weights(k)), stiffness, this->Spacing, block);
+              std::sqrt(mass * this->Weights(k)), stiffness(k), this->Spacing, block);
           }
         }
       });
@@ -1065,7 +1066,8 @@ void SurfaceGrid::AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::M
 
 void SurfaceGrid::Factor(const std::vector<GridPair>& pairs, int threads)
 {
-  SparseCholesky::Matrix A = this->Assemble(1.0, this->Size * this->Size, threads);
+  SparseCholesky::Matrix A = this->Assemble(
+    1.0, Eigen::VectorXd::Constant(this->GetNumberOfSamples(), this->Size * this->Size), threads);
   this->AddPairs(pairs, A);
   this->System.Analyze(A);
   this->System.Factor(A, SparseCholesky::Precision::Double, threads);
@@ -1073,7 +1075,12 @@ void SurfaceGrid::Factor(const std::vector<GridPair>& pairs, int threads)
 
 void SurfaceGrid::FactorPoisson(int threads)
 {
-  const SparseCholesky::Matrix A = this->Assemble(PoissonMass, 1.0, threads);
+  this->FactorConduction(Eigen::VectorXd::Ones(this->GetNumberOfSamples()), PoissonMass, threads);
+}
+
+void SurfaceGrid::FactorConduction(const Eigen::VectorXd& conductivity, double mass, int threads)
+{
+  const SparseCholesky::Matrix A = this->Assemble(mass, conductivity, threads);
   this->System.Analyze(A);
   this->System.Factor(A, SparseCholesky::Precision::Double, threads);
 }

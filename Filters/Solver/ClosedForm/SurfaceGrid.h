@@ -85,6 +85,9 @@ public:
   void Factor(const std::vector<GridPair>& pairs, int threads);
   /// The same for K + 1e-6 M, to integrate gradients.
   void FactorPoisson(int threads);
+  /// The same for sum kappa_k grad phi^T Q_k grad phi + mass M, where the surface conducts unevenly.
+  /// @param conductivity  kappa_k of the samples, at least 0, no unit @param mass  above 0, 1 / length^2
+  void FactorConduction(const Eigen::VectorXd& conductivity, double mass, int threads);
 
   double GetSize() const { return this->Size; }
   double GetSpacing() const { return this->Spacing; }
@@ -131,7 +134,9 @@ private:
   Place Locate(const Eigen::RowVector3d& x) const;
   const int* FunctionsAt(const Place& place) const;
   void NumberFunctions(const std::vector<int>& cells);
-  SparseCholesky::Matrix Assemble(double mass, double stiffness, int threads) const;
+  /// @param stiffness  of the samples
+  SparseCholesky::Matrix Assemble(
+    double mass, const Eigen::VectorXd& stiffness, int threads) const;
   std::vector<CellPair> CellPairs(const std::vector<GridPair>& pairs) const;
   std::vector<std::array<int, 3>> PlacesOfFunctions() const;
   void AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::Matrix& A) const;

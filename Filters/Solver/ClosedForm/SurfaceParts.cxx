@@ -1,0 +1,698 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceParts.h"
+
+#include "LimbThickness.h"
+#include "Parallel.h"
+#include "SurfaceGrid.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+
+namespace SphericalStyle
+{
+namespace
+{
+constexpr double PartSize = 0.03;
+constexpr double ConcavityWeight = 5.0;
+constexpr double LeastConductivity = 0.02;
+constexpr double PairReachOfParts = 2.3; // in sub-cells
+constexpr double SubCellsOfSpacing = 3.0;
+constexpr double LeastAgreementOfPairs = -0.2;
+constexpr double ConcavityPower = 1.5;
+constexpr double ThicknessWeight = 0.35;
+constexpr double LongestBorder = 0.9;
+constexpr double WorstCut = 0.25;
+constexpr double HealedBorder = 1.5; // of PartSize
+constexpr double MassOfFields = 0.1; // 1 / length^2, well below the smallest lambda that matters
+constexpr int Iterations = 12;
+constexpr int SmoothFields = 9;
+constexpr int Sources = 12;
+constexpr double SlopeStep = 0.25; // of a cell
+constexpr double ThicknessWithoutRadius = 0.5;
+constexpr double NoCut = std::numeric_limits<double>::infinity();
+constexpr int NotThere = -1;
+constexpr double Pi = 3.14159265358979323846;
+
+/// Pairs of near samples, with w_kl.
+struct SamplePairs
+{
+  std::vector<int> first; // of each sample, and one past the last
+  std::vector<int> others;
+  std::vector<double> weights;
+};
+
+/// Where a level set of a field is a piece worth cutting off.
+struct Cut
+{
+  double q = NoCut;
+  int field = NotThere;
+  int direction = 1; // whether the piece is below (1) or above (-1) the level
+  double level = 0.0;
+  int sample = NotThere; // one of the piece
+};
+
+using Samples = std::vector<int>;
+
+/// A part, and how it is best cut.
+struct OpenPart
+{
+  Samples samples;
+  double area = 0.0;
+  double q = NoCut;
+  std::vector<Samples> pieces;
+};
+
+class PartFinder
+{
+public:
+  PartFinder(
+    const Points& p, const Triangles& f, const PartsOptions& options, const Callback& callback);
+  SurfacePartsResult Find();
+
+private:
+  Eigen::Index Count() const { return this->Weights.size(); }
+  void MakeConductivity(const Points& B, const Triangles& F);
+  void MakePairs();
+  double AreaOf(const Samples& samples) const;
+  /// Connected pieces of samples with the same mark; samples with NotThere are none.
+  std::vector<Samples> Pieces(const Samples& samples, const std::vector<int>& marks) const;
+  std::vector<OpenPart> LoosePieces();
+  OpenPart Open(Samples samples);
+  Fields FieldsOf(const Samples& part, const Eigen::VectorXd& mass);
+  Fields SourceFields(
+    const Samples& part, const Fields& smooth, const Eigen::VectorXd& eigenvalues);
+  Cut Sweep(const Samples& part, const Fields& u, int field, int direction, double area) const;
+  std::vector<Samples> CutOff(const Samples& part, const Fields& u, const Cut& cut) const;
+  void Heal(const std::vector<Samples>& pieces);
+  SurfacePartsResult Result(std::vector<OpenPart> parts);
+
+  const Points& P;
+  PartsOptions Options;
+  const Callback& Asked;
+  int Searches = 0;
+  SurfaceGrid Grid;
+  Eigen::VectorXd Weights;
+  Points Normals; // of samples
+  Eigen::VectorXd Conductivity;
+  Eigen::VectorXd LogThickness;
+  SamplePairs Pairs;
+  double Area = 0.0;
+  std::vector<std::pair<int, int>> Strays; // samples of small loose pieces, and the nearest other
+};
+
+PartFinder::PartFinder(
+  const Points& p, const Triangles& f, const PartsOptions& options, const Callback& callback)
+  : P(p)
+  , Options(options)
+  , Asked(callback)
+  , Grid(p, f, PartSize, options.threads)
+  , Weights(Grid.GetWeights())
+  , Area(Weights.sum())
+{
+  const int threads = options.threads;
+  this->Grid.Factor({}, threads);
+  const Points B =
+    this->Grid.AtPoints(this->Grid.SmoothTwice(this->Grid.GetPlaces(), threads), p, threads);
+  this->MakeConductivity(B, f);
+  this->Grid.ForgetPoints();
+  this->MakePairs();
+}
+
+/// n_k, kappa_k and log rho_k.
+void PartFinder::MakeConductivity(const Points& B, const Triangles& F)
+{
+  const int threads = this->Options.threads;
+  const Eigen::VectorXd rho = LimbThickness(this->P, B, F, ThicknessWithoutRadius, threads);
+  this->LogThickness = this->Grid.Means(rho, threads).col(0).array().log();
+  Fields normals = this->Grid.AreaVectorsUnder(this->Grid.Gradients(B, threads), threads);
+  normals = this->Weights.cwiseInverse().asDiagonal() * normals;
+  const Fields coefficients = this->Grid.Smooth(normals, threads);
+  normals = this->Grid.AtSamples(coefficients, threads);
+  std::array<Fields, 3> slopes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Eigen::Vector3d step = SlopeStep * Eigen::Vector3d::Unit(axis);
+    slopes[axis] = (this->Grid.AtSamples(coefficients, threads, step) -
+                     this->Grid.AtSamples(coefficients, threads, -step)) /
+      (2.0 * SlopeStep * this->Grid.GetSpacing());
+  }
+  this->Normals = Points::Zero(this->Count(), 3);
+  this->Conductivity = Eigen::VectorXd::Ones(this->Count());
+  for (Eigen::Index k = 0; k < this->Count(); ++k)
+  {
+    const double length = normals.row(k).norm();
+    if (!(length > 0.0))
+    {
+      continue;
+    }
+    const Eigen::Vector3d n = normals.row(k).transpose() / length;
+    this->Normals.row(k) = n;
+    Eigen::Matrix3d G;
+    G << slopes[0].row(k).transpose(), slopes[1].row(k).transpose(), slopes[2].row(k).transpose();
+    const Eigen::Matrix3d tangent = Eigen::Matrix3d::Identity() - n * n.transpose();
+    const Eigen::Matrix3d curvature = tangent * (G + G.transpose()) * tangent * (0.5 / length);
+    const double concave =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(curvature, Eigen::EigenvaluesOnly)
+        .eigenvalues()(0);
+    const double thickness = std::exp(this->LogThickness(k));
+    this->Conductivity(k) = std::max(
+      LeastConductivity, std::exp(ConcavityWeight * thickness * std::min(0.0, concave)));
+  }
+}
+
+void PartFinder::MakePairs()
+{
+  const double subCell = this->Grid.GetSpacing() / SubCellsOfSpacing;
+  const double reach = PairReachOfParts * subCell;
+  const double perProduct = 1.5 / (reach * reach * reach);
+  const int cells = static_cast<int>(std::ceil(PairReachOfParts));
+  using Cell = std::array<std::int64_t, 3>;
+  const auto key = [](const Cell& c)
+  {
+    constexpr std::int64_t Width = std::int64_t{ 1 } << 20;
+    return (c[0] + Width / 2) + Width * ((c[1] + Width / 2) + Width * (c[2] + Width / 2));
+  };
+  const int m = static_cast<int>(this->Count());
+  const Points& places = this->Grid.GetPlaces();
+  std::vector<Cell> cellOf(m);
+  std::unordered_map<std::int64_t, int> sampleAt;
+  for (int k = 0; k < m; ++k)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      cellOf[k][axis] = static_cast<std::int64_t>(std::floor(places(k, axis) / subCell + 0.5));
+    }
+    sampleAt[key(cellOf[k])] = k;
+  }
+  this->Pairs.first.assign(1, 0);
+  for (int k = 0; k < m; ++k)
+  {
+    for (int x = -cells; x <= cells; ++x)
+    {
+      for (int y = -cells; y <= cells; ++y)
+      {
+        for (int z = -cells; z <= cells; ++z)
+        {
+          const auto found =
+            sampleAt.find(key({ cellOf[k][0] + x, cellOf[k][1] + y, cellOf[k][2] + z }));
+          if (found == sampleAt.end() || found->second == k)
+          {
+            continue;
+          }
+          const int l = found->second;
+          if ((places.row(k) - places.row(l)).norm() < reach &&
+            this->Normals.row(k).dot(this->Normals.row(l)) > LeastAgreementOfPairs)
+          {
+            this->Pairs.others.push_back(l);
+            this->Pairs.weights.push_back(perProduct * this->Weights(k) * this->Weights(l));
+          }
+        }
+      }
+    }
+    this->Pairs.first.push_back(static_cast<int>(this->Pairs.others.size()));
+  }
+}
+
+double PartFinder::AreaOf(const Samples& samples) const
+{
+  double area = 0.0;
+  for (const int k : samples)
+  {
+    area += this->Weights(k);
+  }
+  return area;
+}
+
+std::vector<Samples> PartFinder::Pieces(
+  const Samples& samples, const std::vector<int>& marks) const
+{
+  std::vector<char> open(marks.size(), 0);
+  for (const int k : samples)
+  {
+    open[k] = marks[k] != NotThere;
+  }
+  std::vector<Samples> pieces;
+  for (const int start : samples)
+  {
+    if (!open[start])
+    {
+      continue;
+    }
+    Samples piece = { start };
+    open[start] = 0;
+    for (std::size_t i = 0; i < piece.size(); ++i)
+    {
+      const int k = piece[i];
+      for (int e = this->Pairs.first[k]; e < this->Pairs.first[k + 1]; ++e)
+      {
+        const int l = this->Pairs.others[e];
+        if (open[l] && marks[l] == marks[k])
+        {
+          open[l] = 0;
+          piece.push_back(l);
+        }
+      }
+    }
+    std::sort(piece.begin(), piece.end());
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+/// The fields to cut along: nine smooth ones, then those of the sources, samples x 21.
+Fields PartFinder::FieldsOf(const Samples& part, const Eigen::VectorXd& mass)
+{
+  const int threads = this->Options.threads;
+  Eigen::VectorXd conductivity = Eigen::VectorXd::Zero(this->Count());
+  for (const int k : part)
+  {
+    conductivity(k) = this->Conductivity(k);
+  }
+  this->Grid.FactorConduction(conductivity, MassOfFields, threads);
+  const Eigen::VectorXd inside = (mass.array() > 0.0).cast<double>();
+  const double area = mass.sum();
+  const Points& x = this->Grid.GetPlaces();
+  Fields u(this->Count(), SmoothFields);
+  u << x, x.cwiseProduct(x), x.col(0).cwiseProduct(x.col(1)), x.col(1).cwiseProduct(x.col(2)),
+    x.col(2).cwiseProduct(x.col(0));
+  const auto center = [&](Fields& fields)
+  {
+    const Eigen::RowVectorXd mean = (mass.transpose() * fields) / area;
+    fields = inside.asDiagonal() * (fields.rowwise() - mean);
+  };
+  Eigen::VectorXd eigenvalues;
+  for (int i = 0; i < Iterations; ++i)
+  {
+    center(u);
+    const Eigen::VectorXd lengths =
+      (mass.transpose() * u.cwiseAbs2()).cwiseSqrt().cwiseMax(1e-300).transpose();
+    u = u * lengths.cwiseInverse().asDiagonal();
+    const Fields solved = this->Grid.AtSamples(this->Grid.Smooth(u, threads), threads);
+    // In the space of the solutions y = A^-1 M u: y^T A y = y^T M u, and y^T M y.
+    Eigen::MatrixXd A = solved.transpose() * mass.asDiagonal() * u;
+    A = 0.5 * (A + A.transpose()).eval();
+    A.diagonal().array() += 1e-12 * A.trace();
+    Fields y = solved;
+    center(y);
+    const Eigen::MatrixXd M = y.transpose() * mass.asDiagonal() * y;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(M, A);
+    eigenvalues = ritz.eigenvalues().reverse().cwiseMax(1e-300).cwiseInverse();
+    u = y * ritz.eigenvectors().rowwise().reverse();
+  }
+  Fields all(this->Count(), SmoothFields + Sources);
+  all << u, this->SourceFields(part, u, eigenvalues);
+  return all;
+}
+
+Fields PartFinder::SourceFields(
+  const Samples& part, const Fields& smooth, const Eigen::VectorXd& eigenvalues)
+{
+  const Fields at = smooth * eigenvalues.cwiseSqrt().cwiseInverse().asDiagonal();
+  std::vector<double> distance(part.size(), NoCut);
+  std::vector<double> lengths(part.size());
+  std::transform(part.begin(), part.end(), lengths.begin(),
+    [&](int k) { return at.row(k).squaredNorm(); });
+  auto far = std::max_element(lengths.begin(), lengths.end()) - lengths.begin();
+  Fields sources = Fields::Zero(this->Count(), Sources);
+  for (int s = 0; s < Sources; ++s)
+  {
+    const int source = part[far];
+    sources(source, s) = 1.0 / this->Weights(source);
+    for (std::size_t i = 0; i < part.size(); ++i)
+    {
+      distance[i] = std::min(distance[i], (at.row(part[i]) - at.row(source)).squaredNorm());
+    }
+    far = std::max_element(distance.begin(), distance.end()) - distance.begin();
+  }
+  const int threads = this->Options.threads;
+  return this->Grid.AtSamples(this->Grid.Smooth(sources, threads), threads);
+}
+
+/// Sets of samples that grow together while a level sweeps over them, with what they have.
+class GrowingPieces
+{
+public:
+  explicit GrowingPieces(std::size_t samples)
+    : Up(samples, NotThere)
+    , Sums(samples)
+  {
+  }
+
+  struct Sum
+  {
+    double area = 0.0;
+    double length = 0.0;    // of the border
+    double conducted = 0.0; // the same, times kappa
+    double thickness = 0.0; // area times log rho
+  };
+
+  bool Has(int k) const { return this->Up[k] != NotThere; }
+  void Add(int k, const Sum& sum)
+  {
+    this->Up[k] = k;
+    this->Sums[k] = sum;
+  }
+  int Root(int k)
+  {
+    while (this->Up[k] != k)
+    {
+      this->Up[k] = this->Up[this->Up[k]];
+      k = this->Up[k];
+    }
+    return k;
+  }
+  /// The piece of l becomes one with that of the root k.
+  void Join(int k, int l)
+  {
+    const int other = this->Root(l);
+    if (other != k)
+    {
+      const Sum& more = this->Sums[other];
+      Sum& sum = this->Sums[k];
+      sum.area += more.area;
+      sum.length += more.length;
+      sum.conducted += more.conducted;
+      sum.thickness += more.thickness;
+      this->Up[other] = k;
+    }
+  }
+  Sum& operator[](int root) { return this->Sums[root]; }
+
+private:
+  std::vector<int> Up;
+  std::vector<Sum> Sums;
+};
+
+/// The best piece below (direction 1) or above (-1) a level of u.
+Cut PartFinder::Sweep(
+  const Samples& part, const Fields& u, int field, int direction, double area) const
+{
+  Samples order = part;
+  std::stable_sort(order.begin(), order.end(),
+    [&](int k, int l) { return direction * u(k, field) < direction * u(l, field); });
+  std::vector<char> inside(this->Count(), 0);
+  double thicknessOfAll = 0.0;
+  for (const int k : part)
+  {
+    inside[k] = 1;
+    thicknessOfAll += this->Weights(k) * this->LogThickness(k);
+  }
+  GrowingPieces pieces(inside.size());
+  Cut best;
+  for (const int k : order)
+  {
+    pieces.Add(k, { this->Weights(k), 0.0, 0.0, this->Weights(k) * this->LogThickness(k) });
+    for (int e = this->Pairs.first[k]; e < this->Pairs.first[k + 1]; ++e)
+    {
+      const int l = this->Pairs.others[e];
+      if (!inside[l])
+      {
+        continue;
+      }
+      const bool joins = pieces.Has(l);
+      if (joins)
+      {
+        pieces.Join(k, l);
+      }
+      const double length = joins ? -this->Pairs.weights[e] : this->Pairs.weights[e];
+      pieces[k].length += length;
+      pieces[k].conducted += length * std::sqrt(this->Conductivity(k) * this->Conductivity(l));
+    }
+    const GrowingPieces::Sum& sum = pieces[k];
+    const double sphere = std::sqrt(2.0 * Pi * sum.area);
+    if (sum.area < LeastPart * this->Area || sum.area > 0.5 * area ||
+      !(sum.length < LongestBorder * sphere))
+    {
+      continue;
+    }
+    const double length = std::max(sum.length, 0.0);
+    const double kappa = length > 0.0 ? std::max(sum.conducted, 0.0) / length : 1.0;
+    const double thinner = std::abs(
+      sum.thickness / sum.area - (thicknessOfAll - sum.thickness) / (area - sum.area));
+    const double q = length / sphere * std::pow(kappa, ConcavityPower) *
+      std::exp(-ThicknessWeight * thinner);
+    if (q < best.q)
+    {
+      best = { q, field, direction, u(k, field), k };
+    }
+  }
+  return best;
+}
+
+/// The piece, with what small things it leaves over, then the pieces of the rest.
+std::vector<Samples> PartFinder::CutOff(
+  const Samples& part, const Fields& u, const Cut& cut) const
+{
+  std::vector<int> marks(this->Count(), NotThere);
+  Samples sameSide;
+  for (const int k : part)
+  {
+    marks[k] = cut.direction * u(k, cut.field) <= cut.direction * cut.level ? 1 : 0;
+    if (marks[k] == 1)
+    {
+      sameSide.push_back(k);
+    }
+  }
+  for (const Samples& piece : this->Pieces(sameSide, marks))
+  {
+    const int mark = std::binary_search(piece.begin(), piece.end(), cut.sample) ? 1 : 0;
+    for (const int k : piece)
+    {
+      marks[k] = mark;
+    }
+  }
+  for (const Samples& piece : this->Pieces(part, marks))
+  {
+    if (marks[piece.front()] == 0 && this->AreaOf(piece) < LeastPart * this->Area)
+    {
+      for (const int k : piece)
+      {
+        marks[k] = 1;
+      }
+    }
+  }
+  return this->Pieces(part, marks);
+}
+
+OpenPart PartFinder::Open(Samples samples)
+{
+  if (this->Asked && !this->Asked(++this->Searches, 0.0))
+  {
+    throw SolveAborted{};
+  }
+  OpenPart part;
+  part.samples = std::move(samples);
+  part.area = this->AreaOf(part.samples);
+  if (part.area < 2.0 * LeastPart * this->Area)
+  {
+    return part;
+  }
+  Eigen::VectorXd mass = Eigen::VectorXd::Zero(this->Count());
+  for (const int k : part.samples)
+  {
+    mass(k) = this->Weights(k);
+  }
+  const Fields u = this->FieldsOf(part.samples, mass);
+  std::vector<Cut> cuts(2 * u.cols());
+  ParallelTasks(static_cast<int>(cuts.size()), this->Options.threads,
+    [&](int task)
+    { cuts[task] = this->Sweep(part.samples, u, task / 2, 1 - 2 * (task % 2), part.area); });
+  const Cut& best = *std::min_element(
+    cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.q < b.q; });
+  if (best.sample != NotThere)
+  {
+    part.pieces = this->CutOff(part.samples, u, best);
+    part.q = part.pieces.size() > 1 ? best.q : NoCut;
+  }
+  return part;
+}
+
+/// kappa becomes 1 near borders between the pieces.
+void PartFinder::Heal(const std::vector<Samples>& pieces)
+{
+  std::vector<int> pieceOf(this->Count(), NotThere);
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    for (const int k : pieces[p])
+    {
+      pieceOf[k] = static_cast<int>(p);
+    }
+  }
+  std::vector<double> distance(this->Count(), NoCut);
+  using Item = std::pair<double, int>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> front;
+  const auto reach = [&](int k, double d)
+  {
+    if (d < distance[k] && d < HealedBorder * PartSize)
+    {
+      distance[k] = d;
+      front.push({ d, k });
+    }
+  };
+  const auto forOthers = [&](int k, const auto& f)
+  {
+    for (int e = this->Pairs.first[k]; e < this->Pairs.first[k + 1]; ++e)
+    {
+      if (pieceOf[this->Pairs.others[e]] != NotThere)
+      {
+        f(this->Pairs.others[e]);
+      }
+    }
+  };
+  for (int k = 0; k < static_cast<int>(pieceOf.size()); ++k)
+  {
+    if (pieceOf[k] != NotThere)
+    {
+      forOthers(k,
+        [&](int l)
+        {
+          if (pieceOf[l] != pieceOf[k])
+          {
+            reach(k, 0.0);
+          }
+        });
+    }
+  }
+  const Points& x = this->Grid.GetPlaces();
+  while (!front.empty())
+  {
+    const auto [d, k] = front.top();
+    front.pop();
+    if (d == distance[k])
+    {
+      this->Conductivity(k) = 1.0;
+      forOthers(k, [&](int l) { reach(l, d + (x.row(k) - x.row(l)).norm()); });
+    }
+  }
+}
+
+/// What does not hang together; what is too small to be a part is left to the nearest that is not.
+std::vector<OpenPart> PartFinder::LoosePieces()
+{
+  Samples all(this->Count());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<Samples> pieces = this->Pieces(all, std::vector<int>(all.size(), 0));
+  const auto isLarge = [this](const Samples& piece)
+  { return this->AreaOf(piece) >= LeastPart * this->Area; };
+  const auto small = std::stable_partition(pieces.begin(), pieces.end(), isLarge);
+  if (small == pieces.begin()) // nothing is large: all is one
+  {
+    pieces = { all };
+  }
+  else
+  {
+    const Points& x = this->Grid.GetPlaces();
+    Samples large;
+    for (auto piece = pieces.begin(); piece != small; ++piece)
+    {
+      large.insert(large.end(), piece->begin(), piece->end());
+    }
+    for (auto piece = small; piece != pieces.end(); ++piece)
+    {
+      const Eigen::RowVector3d center = x(*piece, AllColumns).colwise().mean();
+      const int nearest = *std::min_element(large.begin(), large.end(),
+        [&](int k, int l)
+        { return (x.row(k) - center).squaredNorm() < (x.row(l) - center).squaredNorm(); });
+      for (const int k : *piece)
+      {
+        this->Strays.emplace_back(k, nearest);
+      }
+    }
+    pieces.erase(small, pieces.end());
+  }
+  std::vector<OpenPart> open;
+  open.reserve(pieces.size());
+  for (Samples& piece : pieces)
+  {
+    open.push_back(this->Open(std::move(piece)));
+  }
+  return open;
+}
+
+SurfacePartsResult PartFinder::Find()
+{
+  std::vector<OpenPart> open = this->LoosePieces();
+  const int wanted = this->Options.numberOfParts;
+  while (wanted == 0 || static_cast<int>(open.size()) < wanted)
+  {
+    const auto best = std::min_element(
+      open.begin(), open.end(), [](const OpenPart& a, const OpenPart& b) { return a.q < b.q; });
+    if (best->q == NoCut || (wanted == 0 && best->q >= WorstCut))
+    {
+      break;
+    }
+    std::vector<Samples> pieces = std::move(best->pieces);
+    open.erase(best);
+    this->Heal(pieces);
+    for (Samples& piece : pieces)
+    {
+      open.push_back(this->Open(std::move(piece)));
+    }
+  }
+  return this->Result(std::move(open));
+}
+
+SurfacePartsResult PartFinder::Result(std::vector<OpenPart> parts)
+{
+  std::stable_sort(parts.begin(), parts.end(),
+    [](const OpenPart& a, const OpenPart& b) { return a.area > b.area; });
+  const int count = static_cast<int>(parts.size());
+  std::vector<int> partOf(this->Count(), NotThere);
+  for (int p = 0; p < count; ++p)
+  {
+    for (const int k : parts[p].samples)
+    {
+      partOf[k] = p;
+    }
+  }
+  for (const auto& [k, nearest] : this->Strays)
+  {
+    partOf[k] = partOf[nearest];
+  }
+  SurfacePartsResult result;
+  result.count = count;
+  result.areas.assign(count, 0.0);
+  result.centers = Points::Zero(count, 3);
+  result.thickness.assign(count, 0.0);
+  Fields shares = Fields::Zero(this->Count(), count);
+  for (Eigen::Index k = 0; k < this->Count(); ++k)
+  {
+    const int p = partOf[k];
+    shares(k, p) = 1.0;
+    result.areas[p] += this->Weights(k);
+    result.centers.row(p) += this->Weights(k) * this->Grid.GetPlaces().row(k);
+    result.thickness[p] += this->Weights(k) * this->LogThickness(k);
+  }
+  for (int p = 0; p < count; ++p)
+  {
+    result.centers.row(p) /= result.areas[p];
+    result.thickness[p] = std::exp(result.thickness[p] / result.areas[p]);
+  }
+  const int threads = this->Options.threads;
+  this->Grid.Factor({}, threads);
+  shares = this->Grid.AtPoints(this->Grid.Smooth(shares, threads), this->P, threads);
+  result.parts.resize(shares.rows());
+  for (Eigen::Index i = 0; i < shares.rows(); ++i)
+  {
+    shares.row(i).maxCoeff(&result.parts[i]);
+  }
+  return result;
+}
+}
+
+SurfacePartsResult FindParts(
+  const Points& P, const Triangles& F, const PartsOptions& options, const Callback& callback)
+{
+  return PartFinder(P, F, options, callback).Find();
+}
+} // namespace SphericalStyle
