@@ -4,7 +4,7 @@
 
     PYTHONPATH=BUILD/lib/python3/dist-packages pvpython make_pictures.py [NAME ...]
 
-NAME: pictures to make, as car for car.png; all without one. presets.png, gallery-*.png, van.png and wall.png
+NAME: pictures to make, as car for car.png; all without one. presets.png, gallery-*.png, parts.png, van.png and wall.png
 need the folder of real models SPHERICALSTYLE_MODELS, and stay as they are without. dragging.png is made by
 Testing/Window/drag.py --strip.
 """
@@ -41,7 +41,8 @@ import sphericalstyle  # noqa: E402
 from sphericalstyle import model_files, model_pictures, presets  # noqa: E402
 from sphericalstyle import (  # noqa: E402
     vtkConvexProxyDeformFilter, vtkGaussMapFilter, vtkNonlinearStyleFilter,
-    vtkNormalAnalogyFilter, vtkSphereProjectionFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics, vtkThesisStyleFilter)
+    vtkNormalAnalogyFilter, vtkSphereProjectionFilter, vtkSphericalStyleFilter, vtkSurfaceMetrics,
+    vtkSurfacePartsFilter, vtkThesisStyleFilter)
 
 
 def run(deform, surface, properties):
@@ -562,6 +563,43 @@ if wanted("mesh-morphing.png"):
         (cut_open(mesh_morphing.laplacian(bar, round_bar)[0]), "Laplacian morphing"),
         (cut_open(mesh_morphing.ours(bar, round_bar)[0]), "Mesh Morphing"),
     ]], 10.0, 13, make_actor=with_edges)
+
+# ------------------------------------------------------------------------------------------- parts
+PART_COLORS = ((0.91, 0.44, 0.44), (0.36, 0.49, 0.87), (0.47, 0.62, 0.25), (0.93, 0.55, 0.15), (0.10, 0.78, 0.68),
+               (0.56, 0.24, 0.60), (0.36, 0.31, 0.62), (0.95, 0.80, 0.30), (0.60, 0.60, 0.60), (0.55, 0.35, 0.20))
+
+
+def by_part(surface):
+    colors = vtkColorTransferFunction()
+    for part, color in enumerate(PART_COLORS):
+        colors.AddRGBPoint(part, *color)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(surface)
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("PartId")
+    mapper.SetLookupTable(colors)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def parts_of(surface, turn=0.0, **properties):
+    """turn: degrees about Y, so that a face looks at us."""
+    transform = vtkTransform()
+    transform.RotateY(turn)
+    turned = vtkTransformPolyDataFilter()
+    turned.SetTransform(transform)
+    turned.SetInputData(run(vtkSurfacePartsFilter(), surface, properties).GetOutput())
+    turned.Update()
+    return of_size_one(turned.GetOutput(), surface.GetLength())
+
+
+if wanted("parts.png") and (MODELS / "spot.ply").exists():
+    spot = model_files.read(MODELS / "spot.ply")
+    picture("parts.png", (1200, 330), [[
+        (parts_of(creature), "creature: automatic, 9 parts"), (parts_of(creature, NumberOfParts=3), "NumberOfParts 3"),
+        (parts_of(spot, 180.0), "spot: automatic, 6 parts"), (parts_of(spot, 180.0, NumberOfParts=2), "NumberOfParts 2"),
+    ]], 25.0, 13, few_colors=False, make_actor=by_part)
 
 # -------------------------------------------------------------------------------------- comparators
 ours = (rounded(creature), "Spherical Style")

@@ -13,6 +13,7 @@
 #include "vtkSphereProjectionFilter.h"
 #include "vtkSurfaceDiagnostics.h"
 #include "vtkSurfaceMetrics.h"
+#include "vtkSurfacePartsFilter.h"
 #ifdef SPHERICALSTYLE_WITH_CGAL
 #include "vtkConvexProxyDeformFilter.h"
 #endif
@@ -106,6 +107,7 @@ inline std::vector<Subject> Subjects()
     SubjectOf<vtkSphereProjectionFilter>("vtkSphereProjectionFilter"),
     ObserverOf<vtkGaussMapFilter>("vtkGaussMapFilter"),
     ObserverOf<vtkSurfaceMetrics>("vtkSurfaceMetrics"),
+    ObserverOf<vtkSurfacePartsFilter>("vtkSurfacePartsFilter"),
     ObserverOf<vtkSurfaceDiagnostics>("vtkSurfaceDiagnostics") };
   all.back().refuses = false; // it tells
 #define SUBJECT(Filter, setWeight) all.push_back(SubjectOf<Filter>(#Filter));

@@ -12,6 +12,7 @@
 #include "vtkSphereProjectionFilter.h"
 #include "vtkSurfaceDiagnostics.h"
 #include "vtkSurfaceMetrics.h"
+#include "vtkSurfacePartsFilter.h"
 #include "vtkThesisStyleFilter.h"
 #ifdef SPHERICALSTYLE_WITH_CGAL
 #include "vtkConvexProxyDeformFilter.h"
@@ -184,7 +185,7 @@ Subject MakeNonlinearStyle(Bytes& bytes)
   f->SetGenerateCellEnergy(arrays & 1);
   f->SetGenerateRotation(arrays & 2);
   f->SetGenerateAuxiliaryScale(arrays & 4);
-  SetArrays(bytes, f, 1);
+  SetArrays(bytes, f, 0);
   return { f };
 }
 
@@ -273,6 +274,15 @@ Subject MakeDiagnostics(Bytes& bytes)
   return { f, false };
 }
 
+Subject MakeParts(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkSurfacePartsFilter>::New();
+  f->SetMethod(bytes.Below(Enough));
+  f->SetNumberOfParts(bytes.Below(6));
+  SetArrays(bytes, f, 0);
+  return { f, false };
+}
+
 #ifdef SPHERICALSTYLE_WITH_CGAL
 Subject MakeConvexProxy(Bytes& bytes)
 {
@@ -342,6 +352,8 @@ Subject SubjectFromBytes(Bytes& bytes)
       return MakeDiagnostics(bytes);
     case 10:
       return MakeNonlinearStyle(bytes);
+    case 15:
+      return MakeParts(bytes);
 #ifdef SPHERICALSTYLE_WITH_CGAL
     case 6:
     case 7:

@@ -85,8 +85,10 @@ public:
   void Factor(const std::vector<GridPair>& pairs, int threads);
   /// The same for K + 1e-6 M, to integrate gradients.
   void FactorPoisson(int threads);
-  /// The same for sum kappa_k grad phi^T Q_k grad phi + mass M, where the surface conducts unevenly.
-  /// @param conductivity  kappa_k of the samples, at least 0, no unit @param mass  above 0, 1 / length^2
+  /// The same for sum kappa_k grad phi^T Q_k grad phi + mass M, where the surface conducts
+  /// unevenly.
+  /// @param conductivity  kappa_k of the samples, at least 0, no unit @param mass  above 0, 1 /
+  /// length^2
   void FactorConduction(const Eigen::VectorXd& conductivity, double mass, int threads);
 
   double GetSize() const { return this->Size; }
@@ -135,8 +137,7 @@ private:
   const int* FunctionsAt(const Place& place) const;
   void NumberFunctions(const std::vector<int>& cells);
   /// @param stiffness  of the samples
-  SparseCholesky::Matrix Assemble(
-    double mass, const Eigen::VectorXd& stiffness, int threads) const;
+  SparseCholesky::Matrix Assemble(double mass, const Eigen::VectorXd& stiffness, int threads) const;
   std::vector<CellPair> CellPairs(const std::vector<GridPair>& pairs) const;
   std::vector<std::array<int, 3>> PlacesOfFunctions() const;
   void AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::Matrix& A) const;

@@ -34,7 +34,7 @@ constexpr double LongestBorder = 0.9;
 constexpr double WorstCut = 0.25;
 constexpr double HealedBorder = 1.5; // of PartSize
 constexpr double MassOfFields = 0.1; // 1 / length^2, well below the smallest lambda that matters
-constexpr int Iterations = 12;
+constexpr int Iterations = 6;
 constexpr int SmoothFields = 9;
 constexpr int Sources = 12;
 constexpr double SlopeStep = 0.25; // of a cell
@@ -165,8 +165,8 @@ void PartFinder::MakeConductivity(const Points& B, const Triangles& F)
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(curvature, Eigen::EigenvaluesOnly)
         .eigenvalues()(0);
     const double thickness = std::exp(this->LogThickness(k));
-    this->Conductivity(k) = std::max(
-      LeastConductivity, std::exp(ConcavityWeight * thickness * std::min(0.0, concave)));
+    this->Conductivity(k) =
+      std::max(LeastConductivity, std::exp(ConcavityWeight * thickness * std::min(0.0, concave)));
   }
 }
 
@@ -233,8 +233,7 @@ double PartFinder::AreaOf(const Samples& samples) const
   return area;
 }
 
-std::vector<Samples> PartFinder::Pieces(
-  const Samples& samples, const std::vector<int>& marks) const
+std::vector<Samples> PartFinder::Pieces(const Samples& samples, const std::vector<int>& marks) const
 {
   std::vector<char> open(marks.size(), 0);
   for (const int k : samples)
@@ -320,8 +319,8 @@ Fields PartFinder::SourceFields(
   const Fields at = smooth * eigenvalues.cwiseSqrt().cwiseInverse().asDiagonal();
   std::vector<double> distance(part.size(), NoCut);
   std::vector<double> lengths(part.size());
-  std::transform(part.begin(), part.end(), lengths.begin(),
-    [&](int k) { return at.row(k).squaredNorm(); });
+  std::transform(
+    part.begin(), part.end(), lengths.begin(), [&](int k) { return at.row(k).squaredNorm(); });
   auto far = std::max_element(lengths.begin(), lengths.end()) - lengths.begin();
   Fields sources = Fields::Zero(this->Count(), Sources);
   for (int s = 0; s < Sources; ++s)
@@ -437,10 +436,10 @@ Cut PartFinder::Sweep(
     }
     const double length = std::max(sum.length, 0.0);
     const double kappa = length > 0.0 ? std::max(sum.conducted, 0.0) / length : 1.0;
-    const double thinner = std::abs(
-      sum.thickness / sum.area - (thicknessOfAll - sum.thickness) / (area - sum.area));
-    const double q = length / sphere * std::pow(kappa, ConcavityPower) *
-      std::exp(-ThicknessWeight * thinner);
+    const double thinner =
+      std::abs(sum.thickness / sum.area - (thicknessOfAll - sum.thickness) / (area - sum.area));
+    const double q =
+      length / sphere * std::pow(kappa, ConcavityPower) * std::exp(-ThicknessWeight * thinner);
     if (q < best.q)
     {
       best = { q, field, direction, u(k, field), k };
@@ -450,8 +449,7 @@ Cut PartFinder::Sweep(
 }
 
 /// The piece, with what small things it leaves over, then the pieces of the rest.
-std::vector<Samples> PartFinder::CutOff(
-  const Samples& part, const Fields& u, const Cut& cut) const
+std::vector<Samples> PartFinder::CutOff(const Samples& part, const Fields& u, const Cut& cut) const
 {
   std::vector<int> marks(this->Count(), NotThere);
   Samples sameSide;

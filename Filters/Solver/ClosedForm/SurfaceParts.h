@@ -45,8 +45,9 @@ struct SurfacePartsResult
 ///     q(C) = L / sqrt(2 pi A) * kappa^1.5 * exp(-.35 |log rho_C - log rho_rest|)
 ///
 /// is small, kappa the mean of kappa_kl along its border and log rho the means over both sides:
-/// short borders, in concave places (the minima rule: Hoffman, Richards, Parts of recognition, 1984),
-/// between thick and thin. Half of a sphere has q = 1. Only L < .9 sqrt(2 pi A) is looked at.
+/// short borders, in concave places (the minima rule: Hoffman, Richards, Parts of recognition,
+/// 1984), between thick and thin. Half of a sphere has q = 1. Only L < .9 sqrt(2 pi A) is looked
+/// at.
 ///
 /// Pieces are connected level sets of fields u: the smoothest nine with
 /// -div(kappa grad u) = lambda u on the part (inverse subspace iteration from x, y, z and their

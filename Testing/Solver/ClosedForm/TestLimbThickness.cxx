@@ -9,8 +9,6 @@
 
 #include <Eigen/Cholesky>
 
-#include <functional>
-#include <map>
 #include <string>
 
 using namespace SphericalStyle;
@@ -18,107 +16,6 @@ using namespace SphericalStyle;
 namespace
 {
 using Meshes::Vector;
-
-double Capsule(const Vector& x, const Vector& a, const Vector& b, double radius)
-{
-  const Vector along = b - a;
-  const double t = std::clamp((x - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (x - a - t * along).norm() - radius;
-}
-
-/// The surface f = 0, f > 0 outside, by six tetrahedra in each cube of a lattice: watertight.
-TriangleMesh Isosurface(
-  const std::function<double(const Vector&)>& f, const Vector& low, const Vector& high, double edge)
-{
-  std::array<int, 3> counts;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    counts[axis] = static_cast<int>(std::ceil((high(axis) - low(axis)) / edge)) + 1;
-  }
-  const auto place = [&](int node)
-  {
-    const Vector at(node % counts[0], node / counts[0] % counts[1], node / counts[0] / counts[1]);
-    return Vector(low + edge * at);
-  };
-  std::vector<double> values(static_cast<std::size_t>(counts[0]) * counts[1] * counts[2]);
-  for (std::size_t node = 0; node < values.size(); ++node)
-  {
-    values[node] = f(place(static_cast<int>(node)));
-  }
-  std::vector<Vector> points;
-  std::vector<std::array<int, 3>> triangles;
-  std::map<std::pair<int, int>, int> numbers;
-  const auto crossing = [&](int inside, int outside)
-  {
-    const auto found = numbers.insert({ { inside, outside }, static_cast<int>(points.size()) });
-    if (found.second)
-    {
-      const double t = values[inside] / (values[inside] - values[outside]);
-      points.push_back((1.0 - t) * place(inside) + t * place(outside));
-    }
-    return found.first->second;
-  };
-  const auto add = [&](int a, int b, int c, const Vector& outward)
-  {
-    const Vector n = (points[b] - points[a]).cross(points[c] - points[a]);
-    triangles.push_back(
-      n.dot(outward) > 0.0 ? std::array<int, 3>{ a, b, c } : std::array<int, 3>{ a, c, b });
-  };
-  const int steps[3] = { 1, counts[0], counts[0] * counts[1] };
-  std::array<int, 3> order = { 0, 1, 2 };
-  for (int z = 0; z + 1 < counts[2]; ++z)
-  {
-    for (int y = 0; y + 1 < counts[1]; ++y)
-    {
-      for (int x = 0; x + 1 < counts[0]; ++x)
-      {
-        std::sort(order.begin(), order.end());
-        do
-        {
-          std::vector<int> inside, outside;
-          int node = x * steps[0] + y * steps[1] + z * steps[2];
-          (values[node] < 0.0 ? inside : outside).push_back(node);
-          for (const int axis : order)
-          {
-            node += steps[axis];
-            (values[node] < 0.0 ? inside : outside).push_back(node);
-          }
-          if (inside.empty() || outside.empty())
-          {
-            continue;
-          }
-          Vector outward = Vector::Zero();
-          for (const int i : inside)
-          {
-            outward -= place(i) / static_cast<double>(inside.size());
-          }
-          for (const int i : outside)
-          {
-            outward += place(i) / static_cast<double>(outside.size());
-          }
-          if (inside.size() == 2)
-          {
-            const int a = crossing(inside[0], outside[0]), b = crossing(inside[0], outside[1]);
-            const int c = crossing(inside[1], outside[1]), d = crossing(inside[1], outside[0]);
-            add(a, b, c, outward);
-            add(a, c, d, outward);
-          }
-          else if (inside.size() == 1)
-          {
-            add(crossing(inside[0], outside[0]), crossing(inside[0], outside[1]),
-              crossing(inside[0], outside[2]), outward);
-          }
-          else
-          {
-            add(crossing(inside[0], outside[0]), crossing(inside[1], outside[0]),
-              crossing(inside[2], outside[0]), outward);
-          }
-        } while (std::next_permutation(order.begin(), order.end()));
-      }
-    }
-  }
-  return Meshes::Make(points, triangles);
-}
 
 /// A straight limb or, where its ends are one place, a ball.
 struct Limb
@@ -142,10 +39,11 @@ Model DumbBell()
   constexpr double ball = 0.24, bar = 0.09;
   const auto f = [&](const Vector& x)
   {
-    return std::min(
-      { Capsule(x, left, right, bar), (x - left).norm() - ball, (x - right).norm() - ball });
+    return std::min({ Meshes::Capsule(x, left, right, bar), (x - left).norm() - ball,
+      (x - right).norm() - ball });
   };
-  return { "dumb-bell", Isosurface(f, { -1.013, -0.287, -0.291 }, { 1.02, 0.29, 0.29 }, 0.0197),
+  return { "dumb-bell",
+    Meshes::Isosurface(f, { -1.013, -0.287, -0.291 }, { 1.02, 0.29, 0.29 }, 0.0197),
     { { "bar", left, right, bar }, { "left ball", left, left, ball },
       { "right ball", right, right, ball } } };
 }
@@ -166,11 +64,11 @@ Model Table()
     double distance = away.norm() - top;
     for (const Limb& limb : limbs)
     {
-      distance = std::min(distance, Capsule(x, limb.from, limb.to, limb.radius));
+      distance = std::min(distance, Meshes::Capsule(x, limb.from, limb.to, limb.radius));
     }
     return distance;
   };
-  return { "table", Isosurface(f, { -0.793, -0.591, -1.227 }, { 0.79, 0.58, 0.13 }, 0.0211),
+  return { "table", Meshes::Isosurface(f, { -0.793, -0.591, -1.227 }, { 0.79, 0.58, 0.13 }, 0.0211),
     limbs };
 }
 
