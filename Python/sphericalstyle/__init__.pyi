@@ -69,6 +69,7 @@ class _Slider(NamedTuple):
     linear: bool
 
 # Further keywords are those of round.
+def parts(mesh: Any, number: int = ...) -> Any: ...
 def write_slider(
     path: Union[str, os.PathLike[str]],
     mesh: Any,

@@ -107,7 +107,10 @@ inline std::vector<Subject> Subjects()
     SubjectOf<vtkSphereProjectionFilter>("vtkSphereProjectionFilter"),
     ObserverOf<vtkGaussMapFilter>("vtkGaussMapFilter"),
     ObserverOf<vtkSurfaceMetrics>("vtkSurfaceMetrics"),
-    ObserverOf<vtkSurfacePartsFilter>("vtkSurfacePartsFilter"),
+    ObserverOf<vtkSurfacePartsFilter>("vtkSurfacePartsFilter",
+      [](vtkSurfacePartsFilter* f) { f->SetNumberOfParts(1); }), // no search, which takes long
+    ObserverOf<vtkSurfacePartsFilter>("vtkSurfacePartsFilter by connectivity",
+      [](vtkSurfacePartsFilter* f) { f->SetMethodToConnectivity(); }),
     ObserverOf<vtkSurfaceDiagnostics>("vtkSurfaceDiagnostics") };
   all.back().refuses = false; // it tells
 #define SUBJECT(Filter, setWeight) all.push_back(SubjectOf<Filter>(#Filter));

@@ -28,7 +28,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 import FilterTable
 import SurfaceTesting
 import sphericalstyle as ss
-from sphericalstyle import meshes, model_files, presets, properties, rounding
+from sphericalstyle import meshes, model_files, presets, properties, rounding, surface_parts
 from SurfaceTesting import faces, points
 
 data = os.path.abspath(sys.argv[1])
@@ -329,7 +329,7 @@ if hasattr(ss.vtkSphericalStyleFilter, "override"):
     assert Own().reader is source and isinstance(Own(), ss.vtkSphericalStyleFilter)
 
 # ------------------------------------------------------------------------------------------------------------ examples
-for module in (rounding, meshes, properties):
+for module in (rounding, meshes, properties, surface_parts):
     with contextlib.redirect_stdout(io.StringIO()) as said:  # pvpython's own stream has no encoding
         outcome = doctest.testmod(module)
     assert outcome.failed == 0, said.getvalue()

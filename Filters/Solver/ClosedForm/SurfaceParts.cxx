@@ -87,7 +87,9 @@ private:
   /// Connected pieces of samples with the same mark; samples with NotThere are none.
   std::vector<Samples> Pieces(const Samples& samples, const std::vector<int>& marks) const;
   std::vector<OpenPart> LoosePieces();
-  OpenPart Open(Samples samples);
+  /// @param search  whether it may be cut
+  OpenPart Open(Samples samples, bool search);
+  bool AreEnough(std::size_t parts) const;
   Fields FieldsOf(const Samples& part, const Eigen::VectorXd& mass);
   Fields SourceFields(
     const Samples& part, const Fields& smooth, const Eigen::VectorXd& eigenvalues);
@@ -482,18 +484,24 @@ std::vector<Samples> PartFinder::CutOff(const Samples& part, const Fields& u, co
   return this->Pieces(part, marks);
 }
 
-OpenPart PartFinder::Open(Samples samples)
+bool PartFinder::AreEnough(std::size_t parts) const
 {
-  if (this->Asked && !this->Asked(++this->Searches, 0.0))
-  {
-    throw SolveAborted{};
-  }
+  const int wanted = this->Options.numberOfParts;
+  return wanted > 0 && parts >= static_cast<std::size_t>(wanted);
+}
+
+OpenPart PartFinder::Open(Samples samples, bool search)
+{
   OpenPart part;
   part.samples = std::move(samples);
   part.area = this->AreaOf(part.samples);
-  if (part.area < 2.0 * LeastPart * this->Area)
+  if (!search || part.area < 2.0 * LeastPart * this->Area)
   {
     return part;
+  }
+  if (this->Asked && !this->Asked(++this->Searches, 0.0))
+  {
+    throw SolveAborted{};
   }
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(this->Count());
   for (const int k : part.samples)
@@ -610,9 +618,10 @@ std::vector<OpenPart> PartFinder::LoosePieces()
   }
   std::vector<OpenPart> open;
   open.reserve(pieces.size());
+  const bool search = !this->AreEnough(pieces.size());
   for (Samples& piece : pieces)
   {
-    open.push_back(this->Open(std::move(piece)));
+    open.push_back(this->Open(std::move(piece), search));
   }
   return open;
 }
@@ -620,21 +629,21 @@ std::vector<OpenPart> PartFinder::LoosePieces()
 SurfacePartsResult PartFinder::Find()
 {
   std::vector<OpenPart> open = this->LoosePieces();
-  const int wanted = this->Options.numberOfParts;
-  while (wanted == 0 || static_cast<int>(open.size()) < wanted)
+  while (!this->AreEnough(open.size()))
   {
     const auto best = std::min_element(
       open.begin(), open.end(), [](const OpenPart& a, const OpenPart& b) { return a.q < b.q; });
-    if (best->q == NoCut || (wanted == 0 && best->q >= WorstCut))
+    if (best->q == NoCut || (this->Options.numberOfParts == 0 && best->q >= WorstCut))
     {
       break;
     }
     std::vector<Samples> pieces = std::move(best->pieces);
     open.erase(best);
     this->Heal(pieces);
+    const bool search = !this->AreEnough(open.size() + pieces.size());
     for (Samples& piece : pieces)
     {
-      open.push_back(this->Open(std::move(piece)));
+      open.push_back(this->Open(std::move(piece), search));
     }
   }
   return this->Result(std::move(open));
