@@ -66,6 +66,14 @@ std::vector<vtkMTimeType> TimesOf(vtkPolyData* surface)
   }
   return times;
 }
+
+/// Of all processes.
+double NumberOfPoints(const vtkSurfaceMesh& surface)
+{
+  const std::vector<char>& counts = surface.Part.counts;
+  return surface.Part.Sum(static_cast<double>(
+    surface.Part.IsWhole() ? surface.Mesh.P.rows() : std::count(counts.begin(), counts.end(), 1)));
+}
 }
 
 /// What is kept between executions.
@@ -228,25 +236,36 @@ bool vtkSphericalStyleFilter::WorksOnParts(
     this->AsksFor(vtkStyleArrays::CENTER_ID) || vtkSelection::GetData(inputVector[SELECTION], 0) ||
     vtkPolyData::GetData(inputVector[REST_POSE], 0);
   // What differs between two processes counts as on the first one, which gathering leads to.
-  return processes.AreAlike({ needsWhole ? 1.0 : 0.0, this->Roundness, this->NormalBlend,
+  return this->AllAgree(!needsWhole, processes);
+}
+
+bool vtkSphericalStyleFilter::AllAgree(bool can, const vtkProcesses& processes) const
+{
+  return processes.AreAlike({ can ? 1.0 : 0.0, this->Roundness, this->NormalBlend,
            static_cast<double>(this->NormalRadius), static_cast<double>(this->KeepSize),
            this->KeepOnGround ? 1.0 : 0.0, static_cast<double>(this->UpAxis),
            static_cast<double>(this->CenterMode), this->Center[0], this->Center[1], this->Center[2],
            static_cast<double>(this->RadiusMode), this->Radius, this->DetailSize,
            static_cast<double>(this->RefineLongEdges), this->GenerateRotation ? 1.0 : 0.0,
-           this->GenerateNormals ? 1.0 : 0.0, this->TransformAllInputVectors ? 1.0 : 0.0 }) &&
-    !needsWhole;
+           this->GenerateNormals ? 1.0 : 0.0, this->TransformAllInputVectors ? 1.0 : 0.0,
+           static_cast<double>(this->PreviewSize) }) &&
+    can;
 }
 
-int vtkSphericalStyleFilter::RequestPart(
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+std::shared_ptr<const vtkProcesses> vtkSphericalStyleFilter::TakeProcesses() const
 {
   std::shared_ptr<const vtkProcesses>& kept = this->Internal->Processes;
   if (!kept || !kept->IsOf(this->Controller))
   {
     kept = std::make_shared<const vtkProcesses>(this->Controller);
   }
-  const std::shared_ptr<const vtkProcesses> processes = kept;
+  return kept;
+}
+
+int vtkSphericalStyleFilter::RequestPart(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const std::shared_ptr<const vtkProcesses> processes = this->TakeProcesses();
   if (!this->WorksOnParts(inputVector, *processes))
   {
     return WHOLE_IS_NEEDED;
@@ -264,14 +283,10 @@ int vtkSphericalStyleFilter::RequestPart(
 int vtkSphericalStyleFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->Preview && this->CanPreview(inputVector))
+  const int preview = this->RequestPreview(inputVector, outputVector);
+  if (preview != WHOLE_IS_NEEDED)
   {
-    const auto preview = [&]
-    {
-      this->MakePreview(vtkPolyData::GetData(inputVector[MODEL], 0), outputVector);
-      return 1;
-    };
-    return RunGuarded(this, outputVector, preview, [this] { this->ReleaseCache(); });
+    return preview == PART_DONE;
   }
   Internals::PreviewBasis last = std::move(this->Internal->Basis);
   this->Internal->Basis = {};
@@ -289,11 +304,45 @@ int vtkSphericalStyleFilter::RequestData(
   return done;
 }
 
-bool vtkSphericalStyleFilter::CanPreview(vtkInformationVector** inputVector)
+/// @return WHOLE_IS_NEEDED where the result is to be the full one: on all processes or on none
+int vtkSphericalStyleFilter::RequestPreview(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const std::shared_ptr<const vtkProcesses> processes =
+    this->IsSpread() ? this->TakeProcesses() : nullptr;
+  const bool can = this->Preview && this->CanPreview(inputVector, processes.get());
+  if (!(processes ? this->AllAgree(can, *processes) : can))
+  {
+    return WHOLE_IS_NEEDED;
+  }
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[MODEL], 0);
+  const auto release = [this] { this->ReleaseCache(); };
+  const auto preview = [&]
+  {
+    this->MakePreview(input, outputVector, processes.get());
+    return 1;
+  };
+  if (!processes)
+  {
+    return RunGuarded(this, outputVector, preview, release) ? PART_DONE : PART_FAILED;
+  }
+  const int outcome =
+    this->RunTogether(input->GetNumberOfPoints() > 0, outputVector, *processes, preview);
+  if (outcome == PART_FAILED)
+  {
+    release(); // another process may have less of it
+  }
+  return outcome;
+}
+
+/// @param processes  that the input is spread over, or nullptr
+bool vtkSphericalStyleFilter::CanPreview(
+  vtkInformationVector** inputVector, const vtkProcesses* processes)
 {
   auto* input = vtkPolyData::GetData(inputVector[MODEL], 0);
   const Internals::PreviewBasis& basis = this->Internal->Basis;
-  if (!input || !basis.IsOf(input, this->RefineLongEdges, this->MaximumEdgeLength))
+  if (!input || !basis.IsOf(input, this->RefineLongEdges, this->MaximumEdgeLength) ||
+    basis.Surface->Part.processes.get() != processes)
   {
     return false;
   }
@@ -315,14 +364,15 @@ bool vtkSphericalStyleFilter::CanPreview(vtkInformationVector** inputVector)
 }
 
 /// [preview]
-void vtkSphericalStyleFilter::MakePreview(vtkPolyData* input, vtkInformationVector* outputVector)
+void vtkSphericalStyleFilter::MakePreview(
+  vtkPolyData* input, vtkInformationVector* outputVector, const vtkProcesses* processes)
 {
   constexpr int Probes = 1 << 14;
   const std::shared_ptr<Internals> internal = this->Internal; // ReleaseCache may come meanwhile
   Internals::PreviewBasis& basis = internal->Basis;
   const std::shared_ptr<const vtkSurfaceMesh> surface = basis.Surface;
   this->CheckProperties();
-  if (!basis.Coarse)
+  if (surface->Part.Max(basis.Coarse ? 0.0 : 1.0) > 0.0)
   {
     vtkPolyData* model = basis.Refined ? basis.Refined.Get() : input;
     basis.Coarse = vtkCoarseSurface::Make(vtkSurfaceMeshConversion::WithoutEmptyArrays(model),
@@ -355,7 +405,14 @@ void vtkSphericalStyleFilter::MakePreview(vtkPolyData* input, vtkInformationVect
   this->EffectiveRadius = report.sphere.radius;
   this->EffectiveCenterMode = this->CenterMode;
   this->AdviceTime.Modified(); // that of the full result stays
-  vtkStyleHistory::Fill(vtkTable::GetData(outputVector, 1), report, "Spherical");
+  const std::vector<double> bytes = processes ? processes->GetBytesOfAll() : std::vector<double>();
+  if (processes && processes->GetRank() > 0)
+  {
+    return;
+  }
+  vtkTable* history = vtkTable::GetData(outputVector, 1);
+  vtkStyleHistory::Fill(history, report, "Spherical");
+  vtkStyleHistory::AddBytes(history, bytes);
   vtkTargetSphere::Fill(vtkPolyData::GetData(outputVector, 2), report.spheres);
 }
 
@@ -409,9 +466,9 @@ int vtkSphericalStyleFilter::Execute(vtkInformationVector** inputVector,
 void vtkSphericalStyleFilter::KeepBasis(
   Internals& internal, const Execution& e, vtkPolyData* input) const
 {
-  const bool alone = !this->Controller || this->Controller->GetNumberOfProcesses() == 1;
-  if (!alone || e.Rest || !e.HasTriangles() || !e.Report.closedForm || e.Report.loop.aborted ||
-    e.Surface().Mesh.P.rows() <= 2 * this->PreviewSize)
+  const bool gathered = this->IsSpread() && e.Part().IsWhole();
+  if (gathered || e.Rest || !e.HasTriangles() || !e.Report.closedForm || e.Report.loop.aborted ||
+    NumberOfPoints(e.Surface()) <= 2.0 * this->PreviewSize)
   {
     return;
   }

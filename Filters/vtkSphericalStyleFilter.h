@@ -471,7 +471,8 @@ public:
    * AvoidSelfIntersections, a region, several centers, input arrays, and with NormalBlend and given
    * normals at DetailSize 0. The thickness of limbs stays that of the last full result. Warnings,
    * Advice and the facts of the guard come with the full result only. With several processes (MPI)
-   * the result is always full. Default off.
+   * each makes its part coarse, where the full result is made in parts; the number of points is
+   * that of all of them. Default off.
    */
   vtkSetMacro(Preview, bool);
   vtkGetMacro(Preview, bool);
@@ -556,6 +557,8 @@ private:
     const std::shared_ptr<const vtkProcesses>& processes = nullptr);
   /// Whether the properties of all processes are the same, and need no whole surface.
   bool WorksOnParts(vtkInformationVector** inputVector, const vtkProcesses& processes);
+  bool AllAgree(bool can, const vtkProcesses& processes) const; // with the same properties
+  std::shared_ptr<const vtkProcesses> TakeProcesses() const;
 
   struct Internals; // what is kept between executions
   struct Execution; // what one execution solves, and how it ends
@@ -574,8 +577,10 @@ private:
 
   // A preview.
   void KeepBasis(Internals& internal, const Execution& execution, vtkPolyData* input) const;
-  bool CanPreview(vtkInformationVector** inputVector);
-  void MakePreview(vtkPolyData* input, vtkInformationVector* outputVector);
+  int RequestPreview(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  bool CanPreview(vtkInformationVector** inputVector, const vtkProcesses* processes);
+  void MakePreview(
+    vtkPolyData* input, vtkInformationVector* outputVector, const vtkProcesses* processes);
 
   static constexpr int NotCounted = -1;
 

@@ -383,6 +383,11 @@ vtkWholeSurfaceAlgorithm::~vtkWholeSurfaceAlgorithm()
   this->vtkWholeSurfaceAlgorithm::SetController(nullptr);
 }
 
+bool vtkWholeSurfaceAlgorithm::IsSpread() const
+{
+  return this->Internal->Gathers;
+}
+
 int vtkWholeSurfaceAlgorithm::RequestPart(vtkInformationVector**, vtkInformationVector*)
 {
   return WHOLE_IS_NEEDED;
@@ -397,10 +402,16 @@ int vtkWholeSurfaceAlgorithm::RunOnParts(vtkInformationVector** inputs,
   {
     model->SetPoints(vtkNew<vtkPoints>());
   }
+  return this->RunTogether(model->GetNumberOfPoints() > 0, outputs, processes, execute);
+}
+
+int vtkWholeSurfaceAlgorithm::RunTogether(bool hasPoints, vtkInformationVector* outputs,
+  const vtkProcesses& processes, const std::function<void()>& execute)
+{
   std::string failure;
   try
   {
-    if (processes.Run(execute, model->GetNumberOfPoints() > 0, failure))
+    if (processes.Run(execute, hasPoints, failure))
     {
       return PART_DONE;
     }

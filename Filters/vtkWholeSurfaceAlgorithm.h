@@ -64,6 +64,8 @@ protected:
   vtkWholeSurfaceAlgorithm();
   ~vtkWholeSurfaceAlgorithm() override;
 
+  /// Whether the surface of this execution is in parts, the same on all processes.
+  bool IsSpread() const;
   /// RequestData with the whole surface at port 0, or, on processes but the first, nothing.
   virtual int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) = 0;
 
@@ -82,6 +84,9 @@ protected:
   /// @return PartOutcomes, the same on all; PART_FAILED with a message and empty outputs
   int RunOnParts(vtkInformationVector** inputs, vtkInformationVector* outputs,
     const vtkProcesses& processes, const std::function<void()>& execute);
+  /// The same where no input is touched. @param hasPoints  whether this process has some of them
+  int RunTogether(bool hasPoints, vtkInformationVector* outputs, const vtkProcesses& processes,
+    const std::function<void()>& execute);
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

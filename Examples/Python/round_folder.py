@@ -146,7 +146,7 @@ class Folder:
         if not lost or not self.work.writes_table():
             return
         for other in lost:
-            models = [self.work.models[number] for number, _, owner in self.work.unfinished() if owner == other]
+            models = [self.work.models[number] for number in self.work.left_by(other)]
             doing = " and ".join(map(printable, models)) or "no model"
             say(f"{self.name}process {other} has shown no sign of life for {self.work.limit:g} s. It was working on"
                 f" {doing}.")

@@ -7,6 +7,7 @@ receive that ends without a message, so nobody who waits for one could notice th
 
     FOLDER/settings.json         what is done to each model; another content starts anew
     FOLDER/done-RUN-RANK.jsonl   a line for each model that is done, appended by one process
+    FOLDER/complete              the table is written, and what is here is about to be removed
     FOLDER/run-RUN/models.json   the models of a run, those with most work first
     FOLDER/run-RUN/K.0           model K is taken, by the process whose number is in the file; K.1 by the second, after
                                  the first was lost
@@ -24,6 +25,8 @@ import shutil
 import time
 
 from sphericalstyle.messages import printable
+
+COMPLETE = "complete"
 
 
 class Superseded(RuntimeError):
@@ -82,8 +85,9 @@ class Plan:
         self.other_settings = written.exists() and _entries(written)[0] != [settings]
         if self.other_settings:
             shutil.rmtree(folder)
-        if _away(folder).exists():
-            shutil.rmtree(_away(folder))
+        for left in (_away(folder), _away(folder / "run")):
+            if left.exists():
+                shutil.rmtree(left)
         folder.mkdir(parents=True, exist_ok=True)
         links = [path for path in folder.iterdir() if path.is_symlink()]
         if links:
@@ -118,7 +122,9 @@ class Plan:
 
     def begin(self, models):
         """The number of a new run over these models."""
-        number = max(self._runs, default=0) + 1
+        (self.folder / COMPLETE).unlink(missing_ok=True)
+        journals = [int(re.match(r"done-(\d+)", journal.name)[1]) for journal in self.folder.glob("done-[0-9]*.jsonl")]
+        number = max(self._runs + journals, default=0) + 1
         for old in self._runs:
             shutil.rmtree(self.folder / f"run-{old}", ignore_errors=True)
         run = self.folder / f"run-{number}"
@@ -138,7 +144,8 @@ class SharedWork:
         self._journals = {other: (folder / f"done-{number}-{other}.jsonl", 0) for other in range(count)}
         self._next, self._beats, self._looked = 0, 0, -float("inf")
         self._generations = {}
-        self._finished = {}
+        self._finished, self._finished_by = {}, {}
+        self._unnamed = {}
         self._heard = {other: (None, time.monotonic()) for other in range(count) if other != rank}
 
     def look(self):
@@ -169,7 +176,7 @@ class SharedWork:
         """@throw Complete, Superseded"""
         if self.run.is_dir():
             return
-        if self.folder.is_dir():
+        if self.folder.is_dir() and not (self.folder / COMPLETE).exists():
             raise Superseded("another run has been started in this folder")
         raise Complete
 
@@ -200,8 +207,8 @@ class SharedWork:
         return True
 
     def unfinished(self):
-        """(number, generation, process) of the models that are taken and not done. The process is None for the moment
-        in which it has not written its number yet; a process that is lost in that moment is any that is silent."""
+        """(number, generation, process) of the models that are taken and not done. The process is None where it has not
+        written its number yet; if it has not within the limit, it is lost, and counts as any that is silent."""
         self._read_journals()
         for number, model in enumerate(self.models):
             if model in self._finished:
@@ -212,7 +219,21 @@ class SharedWork:
             while (self.run / f"{number}.{generation + 1}").exists():
                 generation += 1
             text = _text_of(self.run / f"{number}.{generation}")
-            yield number, generation, int(text) if text else min(self.silent, default=None)
+            since = self._unnamed.setdefault((number, generation), time.monotonic()) if not text else None
+            late = since is not None and time.monotonic() - since > self.limit
+            yield number, generation, int(text) if text else min(self.silent, default=None) if late else None
+
+    def left_by(self, process):
+        """The numbers of the models that a process has taken and not done, also where another one has them now."""
+        self._read_journals()
+        for number, model in enumerate(self.models):
+            generation = 0
+            while (claim := self.run / f"{number}.{generation}").exists():
+                if self._finished_by.get(model) != process and _text_of(claim) == str(process):
+                    yield number
+                generation += 1
+            if generation == 0:
+                return  # they are taken one after the other
 
     def part(self, number):
         """Where the result is written first."""
@@ -248,6 +269,7 @@ class SharedWork:
             entries, end = _entries(path, offset)
             self._journals[other] = path, end
             self._finished.update((entry["model"], entry["line"]) for entry in entries)
+            self._finished_by.update((entry["model"], other) for entry in entries)
 
     def lines(self):
         """The lines of all models of the run once all are done, else None."""
@@ -269,8 +291,16 @@ def _text_of(path):
 
 
 def remove(folder):
-    """What is half removed must not pass for a journal that says less than there was."""
-    away = _away(folder)
+    """Most is in the run, and takes long to remove: until it is gone, the journal says that all is done. What is half
+    removed of the journal must not pass for one that says less than there was."""
+    (folder / COMPLETE).touch()
+    for run in folder.glob("run-*"):
+        _remove_at_once(run, _away(folder / "run"))
+    _remove_at_once(folder, _away(folder))
+
+
+def _remove_at_once(folder, away):
+    """Others that still write to it find nothing from now on."""
     folder.rename(away)
     shutil.rmtree(away)
 

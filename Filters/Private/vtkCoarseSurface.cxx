@@ -35,6 +35,23 @@ constexpr int Attempts = 3;
 constexpr double FarOff = 1.5; // from the wanted number of points
 constexpr int PartsOfCell = 2; // more in the mean are no sides of walls: no points are shared
 
+/// Sets of numbers, each known by its lowest one.
+int RootOf(std::vector<int>& parents, int i)
+{
+  while (parents[i] != i)
+  {
+    parents[i] = parents[parents[i]];
+    i = parents[i];
+  }
+  return i;
+}
+void JoinSets(std::vector<int>& parents, int i, int j)
+{
+  i = RootOf(parents, i);
+  j = RootOf(parents, j);
+  parents[std::max(i, j)] = std::min(i, j);
+}
+
 /// Which input points become one.
 class Clusters
 {
@@ -49,26 +66,16 @@ public:
 
   /// @param size  of a cell
   void Merge(const Eigen::RowVector3d& low, double size);
+  /// Joins those of this process that are one on another: the border between the two may leave a
+  /// cell and come back. To be called by all. @param onBorder  of each mesh point
+  void JoinAcross(const std::vector<char>& onBorder);
   int GetNumber() const { return this->Number; }
   /// Of each input point; None where no triangle has it.
   std::vector<int> NumberThem();
 
 private:
-  int Root(int i)
-  {
-    while (this->Parents[i] != i)
-    {
-      this->Parents[i] = this->Parents[this->Parents[i]];
-      i = this->Parents[i];
-    }
-    return i;
-  }
-  void Join(int i, int j)
-  {
-    i = this->Root(i);
-    j = this->Root(j);
-    this->Parents[std::max(i, j)] = std::min(i, j);
-  }
+  int Root(int i) { return RootOf(this->Parents, i); }
+  void Join(int i, int j) { JoinSets(this->Parents, i, j); }
   int CountRoots();
   void JoinCells();
 
@@ -150,6 +157,46 @@ void Clusters::JoinCells()
   }
 }
 
+void Clusters::JoinAcross(const std::vector<char>& onBorder)
+{
+  const SphericalStyle::SurfacePart& part = this->Surface.InputPart;
+  std::vector<int> points; // on the border
+  std::vector<int> numbers;
+  for (std::size_t k = 0; k < part.shared.size(); ++k)
+  {
+    const int i = part.shared[k];
+    if (this->Parents[i] != None && onBorder[this->Surface.MeshPoint[i]])
+    {
+      points.push_back(i);
+      numbers.push_back(part.numbers[k]);
+    }
+  }
+  std::unordered_map<int, int> firsts;
+  std::vector<double> pairs; // of numbers that are one
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    const auto [first, isNew] = firsts.emplace(this->Root(points[k]), numbers[k]);
+    if (!isNew)
+    {
+      pairs.insert(
+        pairs.end(), { static_cast<double>(first->second), static_cast<double>(numbers[k]) });
+    }
+  }
+  pairs = part.Concatenate(pairs);
+  std::vector<int> parents(part.numberOfShared);
+  std::iota(parents.begin(), parents.end(), 0);
+  for (std::size_t k = 0; k < pairs.size(); k += 2)
+  {
+    JoinSets(parents, static_cast<int>(pairs[k]), static_cast<int>(pairs[k + 1]));
+  }
+  firsts.clear();
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    this->Join(firsts.emplace(RootOf(parents, numbers[k]), points[k]).first->second, points[k]);
+  }
+  this->Number = this->CountRoots();
+}
+
 std::vector<int> Clusters::NumberThem()
 {
   std::vector<int> numbers(this->Parents.size(), None);
@@ -173,29 +220,48 @@ double AreaOf(const Points& P, const Eigen::RowVector3i& corners)
   return 0.5 * (b - a).cross(c - a).norm();
 }
 
-/// Of each mesh point, whether several input points are it, as along seams.
-std::vector<char> OnSeam(const vtkSurfaceMesh& surface)
+/// Of each mesh point, whether triangles of several processes meet there.
+std::vector<char> OnBorder(const vtkSurfaceMesh& surface)
 {
-  constexpr char Met = 1;
-  constexpr char Again = 2;
-  std::vector<char> seen(surface.Mesh.P.rows(), 0);
+  Eigen::VectorXd users = Eigen::VectorXd::Zero(surface.Mesh.P.rows()); // processes
+  for (Eigen::Index k = 0; k < surface.Mesh.F.size(); ++k)
+  {
+    users(surface.Mesh.F.data()[k]) = 1.0;
+  }
+  surface.Part.SumAtShared(users.data(), 1);
+  std::vector<char> onBorder(users.size());
+  std::transform(users.begin(), users.end(), onBorder.begin(),
+    [](double number) { return number > 1.0 ? 1 : 0; });
+  return onBorder;
+}
+
+/// Which points go before others, so that both sides of a border take the same ones: of each mesh
+/// point a number, the same on all processes for points where triangles of several of them meet;
+/// then those that several input points are, as along seams; LastRank for all others.
+constexpr int LastRank = std::numeric_limits<int>::max();
+std::vector<int> Ranks(const vtkSurfaceMesh& surface, const std::vector<char>& onBorder)
+{
+  constexpr int Met = LastRank - 1;
+  std::vector<int> ranks(surface.Mesh.P.rows(), LastRank);
   for (const int i : surface.MeshPoint)
   {
     if (i != vtkSurfaceMesh::NotMoved)
     {
-      seen[i] = seen[i] ? Again : Met;
+      ranks[i] = ranks[i] == LastRank ? Met : surface.Part.numberOfShared + i;
     }
   }
-  for (char& s : seen)
+  std::replace(ranks.begin(), ranks.end(), Met, LastRank);
+  for (std::size_t k = 0; k < surface.Part.shared.size(); ++k)
   {
-    s = s == Again ? 1 : 0;
+    const int i = surface.Part.shared[k];
+    ranks[i] = onBorder[i] ? surface.Part.numbers[k] : ranks[i];
   }
-  return seen;
+  return ranks;
 }
 
 /// An input point for each cluster.
-std::vector<vtkIdType> Chosen(
-  const vtkSurfaceMesh& surface, const std::vector<int>& clusters, int number)
+std::vector<vtkIdType> Chosen(const vtkSurfaceMesh& surface, const std::vector<char>& onBorder,
+  const std::vector<int>& clusters, int number)
 {
   const Points& P = surface.Mesh.P;
   Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> sums; // with the number of points
@@ -207,9 +273,8 @@ std::vector<vtkIdType> Chosen(
       sums.row(clusters[i]) += P.row(surface.MeshPoint[i]).homogeneous();
     }
   }
-  const std::vector<char> onSeam = OnSeam(surface);
+  const std::vector<int> ranks = Ranks(surface, onBorder);
   std::vector<vtkIdType> chosen(number, None);
-  // Points of a seam in order of their numbers, the same on both sides, then others by distance.
   std::vector<std::pair<int, double>> best(number);
   for (std::size_t i = 0; i < clusters.size(); ++i)
   {
@@ -219,8 +284,8 @@ std::vector<vtkIdType> Chosen(
       continue;
     }
     const int at = surface.MeshPoint[i];
-    const std::pair<int, double> rank(onSeam[at] ? at : std::numeric_limits<int>::max(),
-      (P.row(at) - sums.row(c).head<3>() / sums(c, 3)).squaredNorm());
+    const std::pair<int, double> rank(
+      ranks[at], (P.row(at) - sums.row(c).head<3>() / sums(c, 3)).squaredNorm());
     if (chosen[c] == None || rank < best[c])
     {
       chosen[c] = static_cast<vtkIdType>(i);
@@ -263,8 +328,9 @@ std::vector<CoarseTriangle> TrianglesBetween(
 }
 
 /// Triangles at even steps of area, along the clusters, so that they are spread evenly in space.
+/// @param probes  of all processes @param area  the same @param before  of those before this one
 void TakeProbes(const vtkSurfaceMesh& surface, const std::vector<int>& clusters, int number,
-  int probes, double area, SphericalStyle::PreviewPlaces& places)
+  int probes, double area, double before, SphericalStyle::PreviewPlaces& places)
 {
   const Triangles& corners = surface.GetCorners();
   std::vector<int> begin(number + 1, 0);
@@ -279,8 +345,9 @@ void TakeProbes(const vtkSurfaceMesh& surface, const std::vector<int>& clusters,
     ordered[begin[clusters[corners(f, 0)]]++] = static_cast<int>(f);
   }
   places.areaOfProbe = area / probes;
-  double next = 0.5 * places.areaOfProbe; // from the beginning
-  double sum = 0.0;
+  double next = // from the beginning
+    (std::ceil(before / places.areaOfProbe - 0.5) + 0.5) * places.areaOfProbe;
+  double sum = before;
   for (const int f : ordered)
   {
     sum += AreaOf(surface.Mesh.P, surface.Mesh.F.row(f));
@@ -317,8 +384,11 @@ vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* model, const vtkSurfaceMesh& s
   }
   auto coarse = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> places;
-  places->SetDataType(model->GetPoints()->GetDataType());
-  model->GetPoints()->GetPoints(points, places);
+  if (model->GetPoints()) // where this process has a part
+  {
+    places->SetDataType(model->GetPoints()->GetDataType());
+    model->GetPoints()->GetPoints(points, places);
+  }
   coarse->SetPoints(places);
   coarse->SetPolys(polygons);
   const auto copy = [](vtkDataSetAttributes* from, vtkIdList* ids, vtkDataSetAttributes* to)
@@ -342,32 +412,41 @@ std::shared_ptr<const vtkCoarseSurface> vtkCoarseSurface::Make(
   vtkPolyData* model, const vtkSurfaceMesh& surface, int wanted, int probes, double scale)
 {
   const Points& P = surface.Mesh.P;
-  const Eigen::RowVector3d low = P.colwise().minCoeff();
-  double area = 0.0;
+  const SphericalStyle::SurfacePart& part = surface.Part;
+  const Eigen::RowVector3d low = SphericalStyle::BoundsOf(P, part).first;
+  double own = 0.0;
   for (Eigen::Index f = 0; f < surface.Mesh.F.rows(); ++f)
   {
-    area += AreaOf(P, surface.Mesh.F.row(f));
+    own += AreaOf(P, surface.Mesh.F.row(f));
   }
+  const std::vector<double> areas = part.Concatenate({ own });
+  const auto here = areas.begin() + (part.IsWhole() ? 0 : part.processes->GetRank());
+  const double before = std::accumulate(areas.begin(), here, 0.0);
+  const double area = std::accumulate(here, areas.end(), before);
   double size = std::sqrt(CellsOfArea * area / wanted);
   Clusters clusters(surface);
   for (int attempt = 0; attempt < Attempts; ++attempt)
   {
     size = std::max(size, scale / MostCells);
     clusters.Merge(low, size);
-    const double share = static_cast<double>(clusters.GetNumber()) / wanted;
+    const double share = part.Sum(clusters.GetNumber()) / wanted;
     if (share < FarOff && share > 1.0 / FarOff)
     {
       break;
     }
     size *= std::sqrt(share);
   }
+  const std::vector<char> onBorder = OnBorder(surface);
+  clusters.JoinAcross(onBorder);
   const std::vector<int> numbers = clusters.NumberThem();
   const int number = clusters.GetNumber();
   vtkNew<vtkIdList> points;
   auto coarse = std::make_shared<vtkCoarseSurface>();
-  coarse->Model = Extract(model, surface, Chosen(surface, numbers, number),
+  coarse->Model = Extract(model, surface, Chosen(surface, onBorder, numbers, number),
     TrianglesBetween(surface.GetCorners(), numbers), points);
-  coarse->Surface = vtkSurfaceMeshConversion::FromPolyData(coarse->Model, surface.Welded);
+  // All points: also those whose triangles have come to lie on a line.
+  coarse->Surface = vtkSurfaceMeshConversion::FromPolyData(
+    coarse->Model, surface.Welded, vtkSurfaceMeshConversion::TakePoints::All, part.processes);
   auto places = std::make_shared<SphericalStyle::PreviewPlaces>();
   for (const vtkIdType i : coarse->Surface.FirstInputPoints())
   {
@@ -375,7 +454,7 @@ std::shared_ptr<const vtkCoarseSurface> vtkCoarseSurface::Make(
   }
   if (area > 0.0)
   {
-    TakeProbes(surface, numbers, number, probes, area, *places);
+    TakeProbes(surface, numbers, number, probes, area, before, *places);
     places->areaOfProbe /= scale * scale;
   }
   coarse->Places = places;

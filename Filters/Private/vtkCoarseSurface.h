@@ -20,6 +20,10 @@ class vtkPolyData;
 /// has, too, so that little gapes there. What triangles are left have the arrays of their cells;
 /// cells without faces are left out. Where the triangles share no points, all points of a cell are
 /// one.
+///
+/// Of a surface that is spread over processes each makes its own part coarse, in the same cells.
+/// Points where triangles of several processes meet go before others, in an order that all of them
+/// know, so that little gapes between the parts.
 struct vtkCoarseSurface
 {
   vtkSmartPointer<vtkPolyData> Model; ///< at rest
@@ -27,8 +31,9 @@ struct vtkCoarseSurface
   /// Where each point of Surface is in the mesh of the model, and some triangles of that.
   std::shared_ptr<const SphericalStyle::PreviewPlaces> Places;
 
+  /// To be called by all processes that the surface is spread over.
   /// @param model, surface  what is made coarse
-  /// @param wanted  points that are to remain, about
+  /// @param wanted  points that are to remain, about, of all processes
   /// @param probes  triangles, the same @param scale  diagonal of the model, length
   static std::shared_ptr<const vtkCoarseSurface> Make(
     vtkPolyData* model, const vtkSurfaceMesh& surface, int wanted, int probes, double scale);

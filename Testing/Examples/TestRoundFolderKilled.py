@@ -56,7 +56,8 @@ def check_complete(folder):
             assert np.array_equal(points(folder / f"{name}.vtp"), rounded_points(data / name)), name
 
 
-for place, at_place, in_journal in (("unwritten", 1, 1), ("cut", 1, 1), ("written", 1, 2), ("table", 3, 4)):
+for place, at_place, in_journal in (("unwritten", 1, 1), ("cut", 1, 1), ("written", 1, 2), ("table", 3, 4),
+                                    ("removal", 3, 4)):
     rounded = output / place
     code, text = run(place, rounded)
     assert code == -signal.SIGKILL, (place, code, text)

@@ -1,13 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs round_folder.py and kills it at a certain place, or as one process of several without MPI.
+"""Runs round_folder.py and kills it at a certain place, one process of MPI, or as one process of several without MPI.
 
 usage: drive_round_folder.py EXAMPLES PLACE RANK MEETING MODELS OUTPUT [OPTION...]
 
 PLACE says where the process kills itself: "unwritten", "cut", "written" when it writes the second line of its journal
-(before, in the middle, behind), "first" before the first line, "table" behind the table, "no" nowhere.
+(before, in the middle, behind), "first" before the first line, "table" behind the table, "removal" while it removes
+the journal, "no" nowhere.
 RANK is 0 or 1 of 2 processes that share the plan through the file MEETING; process 0 goes on when there is a file
-MEETING.go. With "-" it is alone.
+MEETING.go. With "-" it is alone. With MPI it is mpi-K, the process that kills itself; the others wait until that has
+taken a model.
 """
 import json
 import os
@@ -22,7 +24,10 @@ sys.path.insert(0, examples)
 import round_folder
 import shared_work
 
-append, remove = shared_work._append, round_folder.remove
+append, claim = shared_work._append, shared_work.SharedWork.claim
+victim = rank[4:] if rank.startswith("mpi-") else None
+if victim and victim not in (os.environ.get("OMPI_COMM_WORLD_RANK"), os.environ.get("PMI_RANK")):
+    place = "no"
 lines = 0
 
 
@@ -61,9 +66,23 @@ class OneOfTwo:
         return json.loads(plan.read_text(encoding="utf-8"))
 
 
+def claim_after_victim(work):
+    """None as long as the victim has no model."""
+    if any(taken.read_text(encoding="ascii") == victim for taken in work.run.glob("*.0")):
+        shared_work.SharedWork.claim = claim
+        return claim(work)
+    return None
+
+
 shared_work._append = write
 if place == "table":
     round_folder.remove = lambda folder: die()
-if rank != "-":
+if place == "removal":
+    shared_work.shutil.rmtree = lambda folder: die()
+if victim and place == "no":
+    shared_work.SharedWork.claim = claim_after_victim
+elif rank != "-" and not victim:
     round_folder.Processes = OneOfTwo
-sys.exit(round_folder.main())
+exit_code = round_folder.main()
+if exit_code:
+    sys.exit(exit_code)

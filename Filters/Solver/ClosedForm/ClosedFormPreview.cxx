@@ -215,7 +215,8 @@ Points ClosedFormPreview::CarriedAreas(const ClosedFormOptions& o, const Surface
 
 /// [size] of the probes. What cannot be scaled stays as large as it is: the full result says why.
 /// @return the factor
-double ClosedFormPreview::Place(const ClosedFormOptions& o, Points& Q) const
+double ClosedFormPreview::Place(
+  const ClosedFormOptions& o, const SurfacePart& part, Points& Q) const
 {
   const auto probes = static_cast<int>(this->ProbeAreas.size());
   const auto corner = [this](const Points& X, int probe, int k) -> Eigen::RowVector3d
@@ -231,6 +232,7 @@ double ClosedFormPreview::Place(const ClosedFormOptions& o, Points& Q) const
       sums.segment<3>(4) += this->AreaOfProbe / 3.0 * corner(Q, p, k);
     }
   }
+  part.Sum(sums);
   const Eigen::RowVector3d mean = sums.segment<3>(1) / sums(0);
   Q.rowwise() += mean - sums.segment<3>(4) / sums(0);
 
@@ -250,12 +252,13 @@ double ClosedFormPreview::Place(const ClosedFormOptions& o, Points& Q) const
           sum += this->AreaOfProbe *
             (o.size.keep == KeepSize::Area ? normal.norm() : normal.dot(a - mean) / 3.0);
         }
+        sum = part.Sum(sum);
         return o.size.keep == KeepSize::Area ? std::sqrt(sum) : std::cbrt(sum);
       }
       case KeepSize::Extent:
       {
-        const auto along = X.col(o.size.upAxis);
-        return along.maxCoeff() - along.minCoeff();
+        const auto [low, high] = BoundsOf(X, part);
+        return high(o.size.upAxis) - low(o.size.upAxis);
       }
       case KeepSize::Off:
         break;
@@ -270,14 +273,14 @@ double ClosedFormPreview::Place(const ClosedFormOptions& o, Points& Q) const
   Q = (factor * (Q.rowwise() - mean)).rowwise() + mean;
   if (o.size.keepOnGround)
   {
-    const auto lowest = [&](const Points& X) { return X.col(o.size.upAxis).minCoeff(); };
+    const auto lowest = [&](const Points& X) { return BoundsOf(X, part).first(o.size.upAxis); };
     Q.col(o.size.upAxis).array() += lowest(this->P) - lowest(Q);
   }
   return factor;
 }
 
 ClosedFormResult ClosedFormPreview::Solve(const ClosedFormOptions& o, const Sphere& sphere,
-  const SurfaceGrid& grid, const BaseSlopes& slopes, double& scale) const
+  const SurfaceGrid& grid, const BaseSlopes& slopes, const SurfacePart& part, double& scale) const
 {
   const double mu = std::sqrt(3.0) * o.lambda;
   const double share = mu / (1.0 + mu);
@@ -314,7 +317,7 @@ ClosedFormResult ClosedFormPreview::Solve(const ClosedFormOptions& o, const Sphe
     Q = moved;
     result.rotations.assign(o.keepRotations ? Q.rows() : 0, Eigen::Matrix3d::Identity());
   }
-  scale = this->Place(o, Q);
+  scale = this->Place(o, part, Q);
   Q.conservativeResize(this->NumberOfPoints, 3);
   t.conservativeResize(this->NumberOfPoints, 3);
   result.rotations.resize(o.keepRotations ? this->NumberOfPoints : 0);

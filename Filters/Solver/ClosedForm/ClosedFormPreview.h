@@ -39,6 +39,9 @@ struct ModelAtRest
 ///
 /// Cost: two covariances smoothed twice, as for all points, then some hundred operations a sample,
 /// point and probe. Made with a few passes over all points and triangles.
+///
+/// Of a surface that is spread over processes each takes its own points and probes; what comes from
+/// the samples is the same on all of them. The constructor and Solve are to be called by all.
 class ClosedFormPreview
 {
 public:
@@ -46,9 +49,9 @@ public:
   ClosedFormPreview(const ModelAtRest& model, const PreviewPlaces& places, int threads);
 
   /// @param o  without arrays and regions, with one center @param slopes  of the base at rest
-  /// @param scale  by which the result was scaled
+  /// @param part  of the model that this process has @param scale  by which the result was scaled
   ClosedFormResult Solve(const ClosedFormOptions& o, const Sphere& sphere, const SurfaceGrid& grid,
-    const BaseSlopes& slopes, double& scale) const;
+    const BaseSlopes& slopes, const SurfacePart& part, double& scale) const;
 
 private:
   /// What is averaged over a sample.
@@ -66,7 +69,7 @@ private:
     const BaseSlopes& slopes) const;
   Points CarriedAreas(const ClosedFormOptions& o, const SurfaceGrid& grid, const Fields& smooth,
     const BaseSlopes& after) const;
-  double Place(const ClosedFormOptions& o, Points& Q) const;
+  double Place(const ClosedFormOptions& o, const SurfacePart& part, Points& Q) const;
 
   int NumberOfPoints = 0;
   // Of the points, then of the three corners of each probe.

@@ -840,7 +840,7 @@ ClosedFormReport ClosedFormStyle::Preview(const std::shared_ptr<const PreviewPla
         *places, options.threads);
     });
   s.Step();
-  s.Result = s.Preview->Solve(options, sphere, s.GetGrid(), s.Base->Slopes, report.scale);
+  s.Result = s.Preview->Solve(options, sphere, s.GetGrid(), s.Base->Slopes, s.Part, report.scale);
   report.carrySeconds = watch.Seconds();
   return report;
 }
