@@ -81,25 +81,64 @@ def run_all():
     return results
 
 
-def filter_named(name, before):
-    """The filter with the name that ParaView 6.1 has for it, or the one before."""
-    return globals().get(name) or globals()[before]
+# What each process runs: the cells of its piece, and the points that they use. RedistributeDataSet would send pieces
+# as XML, which VTK 9.2 cannot read back with the expat of 2024's security updates (VTK issue 19258).
+OWN_PIECE = """
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+reader = vtkXMLPolyDataReader()
+reader.SetFileName("FILE")
+reader.Update()
+model = reader.GetOutput()
+ids = numpy_to_vtkIdTypeArray(np.arange(model.GetNumberOfPoints()), deep=True)
+ids.SetName("PointIds")
+model.GetPointData().AddArray(ids)
+information = self.GetExecutive().GetOutputInformation(0)
+piece = information.Get(Pipeline.UPDATE_PIECE_NUMBER())
+pieces = information.Get(Pipeline.UPDATE_NUMBER_OF_PIECES())
+corners = vtk_to_numpy(model.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+own = np.array_split(corners, pieces)[piece]
+cells = vtkCellArray()
+cells.SetData(3, numpy_to_vtkIdTypeArray(np.ascontiguousarray(own.ravel(), dtype=np.int64), deep=True))
+part = vtkPolyData()
+part.SetPoints(model.GetPoints())
+part.GetPointData().ShallowCopy(model.GetPointData())
+part.SetPolys(cells)
+used = vtkCleanPolyData()
+used.SetInputData(part)
+used.PointMergingOff()
+used.Update()
+self.GetPolyDataOutput().ShallowCopy(used.GetOutput())
+"""
+ANY_PIECE = """
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+self.GetExecutive().GetOutputInformation(0).Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)
+"""
 
 
 def rounded_points(spread):
-    """Points of a model by their ids, and facts. spread: over all processes, before it is rounded"""
-    model = filter_named("PointAndCellIds", "GenerateIds")(Input=XMLPolyDataReader(FileName=[os.path.join(DATA, "creature.vtp")]))
+    """Points of a model by their ids, and facts. spread: whether all processes have parts of it"""
+    file = os.path.join(DATA, "creature.vtp")
+    model = XMLPolyDataReader(FileName=[file])
     if spread:
-        model = ExtractSurface(Input=RedistributeDataSet(Input=model))
-        processes = filter_named("ProcessIds", "ProcessIdScalars")(Input=model)
+        model = ProgrammableSource(OutputDataSetType="vtkPolyData", ScriptRequestInformation=ANY_PIECE,
+                                   Script=OWN_PIECE.replace("FILE", file))
+        ids_of = globals().get("ProcessIds") or globals()["ProcessIdScalars"]  # the name of ParaView 6.1, that before
+        processes = ids_of(Input=model)
         UpdatePipeline(proxy=processes)
         ids = processes.PointData.GetArray("ProcessId") or processes.PointData.GetArray("PointProcessIds")
         assert ids.GetRange() == (0.0, PROCESSES - 1.0)
     style = SphericalStyle(Input=model, SphericalWeighting="Uniform", OutputPointsPrecision="Double")
     UpdatePipeline(proxy=style)
     found = contents(servermanager.Fetch(style))
-    points = np.full((found["PointData/PointIds"].max() + 1, 3), np.nan)
-    points[found["PointData/PointIds"].ravel()] = found["points"]
+    numbers = found["PointData/PointIds"].ravel() if spread else np.arange(len(found["points"]))
+    points = np.full((numbers.max() + 1, 3), np.nan)
+    points[numbers] = found["points"]
     return points, facts(style)
 
 
