@@ -17,7 +17,8 @@ struct MorphedVolume
 };
 
 /// Where the displacements of the inner points are harmonic [harmonic]: the minimum of the integral
-/// of |grad u|^2 over the mesh at rest, by linear elements at the corners of the cells.
+/// of |grad u|^2 over the mesh at rest, by linear elements at the corners of the cells. By
+/// conjugate gradients, to about 1e-5 of the displacements.
 /// @param rest  as OrientCells left it; points of no cell stay in place
 /// @param isFixed  n flags: points that are given
 /// @param displacements  n x 3, length; those of other points do not count
@@ -26,8 +27,9 @@ Points HarmonicExtension(const VolumeMesh& rest, const std::vector<char>& isFixe
   const Points& displacements, int threads);
 
 /// Minimizes E = sum_c w_c psi(J_c) [untangle] over the inner points by Newton's method from
-/// HarmonicExtension. Exact for rigid motions of the boundary; nothing moves where nothing is
-/// displaced, to the bit. The same bits for any number of threads.
+/// HarmonicExtension, each step solved by conjugate gradients (BlockSystem). Exact for rigid
+/// motions of the boundary; nothing moves where nothing is displaced, to the bit. The same bits for
+/// any number of threads.
 ///
 /// Whether no cell is inverted is for the caller to see: the best points found are returned.
 /// @param callback  of each step @throw SolveAborted
