@@ -6,6 +6,7 @@
 #include "VolumeMorphing.h"
 #include "vtkFilterSupport.h"
 #include "vtkSurfaceMeshConversion.h"
+#include "vtkTurnedArrays.h"
 #include "vtkVolumeCells.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -168,8 +169,9 @@ struct vtkMeshMorphingFilter::Execution
   Points Q; ///< of the output
   MovedSurface Surface;
   vtkVolumeCells::Volume Volume;
-  std::vector<char> Fixed; ///< points of the boundary
-  Eigen::VectorXd Before;  ///< scaled Jacobians
+  std::vector<char> Fixed;            ///< points of the boundary
+  Eigen::VectorXd Before;             ///< scaled Jacobians
+  SphericalStyle::Matrices Rotations; ///< of the points, where vectors turn
   int Threads = 1;
 };
 
@@ -330,6 +332,10 @@ void vtkMeshMorphingFilter::MoveVolume(Execution& e)
     });
   this->NumberOfIterations = result.iterations;
   e.Q = result.P;
+  if (this->TransformAllInputVectors)
+  {
+    e.Rotations = VolumeRotations(mesh, e.Q, e.Threads);
+  }
 }
 
 /// Sets Q of the points of no volume cell.
@@ -356,10 +362,20 @@ void vtkMeshMorphingFilter::MoveOthers(Execution& e)
     const std::size_t end = std::min(begin + block, others.size());
     const std::vector<Eigen::Index> some(others.begin() + static_cast<std::ptrdiff_t>(begin),
       others.begin() + static_cast<std::ptrdiff_t>(end));
-    const Points u = field.At(e.P(some, SphericalStyle::AllColumns), e.Threads);
+    const Points x = e.P(some, SphericalStyle::AllColumns);
+    const Points u = field.At(x, e.Threads);
     for (std::size_t k = 0; k < some.size(); ++k)
     {
       e.Q.row(some[k]) += u.row(static_cast<Eigen::Index>(k));
+    }
+    if (this->TransformAllInputVectors)
+    {
+      const SphericalStyle::Matrices R = field.RotationsAt(x, e.Threads);
+      e.Rotations.resize(e.P.rows(), Eigen::Matrix3d::Identity());
+      for (std::size_t k = 0; k < some.size(); ++k)
+      {
+        e.Rotations[some[k]] = R[k];
+      }
     }
     this->GoOn(0.6 + 0.35 * static_cast<double>(end) / static_cast<double>(others.size()));
   }
@@ -403,9 +419,18 @@ void vtkMeshMorphingFilter::FillOutput(const Execution& e)
     e.Output->CopyStructure(e.Input);
   }
   e.Output->SetPoints(points);
-  e.Output->GetPointData()->PassData(e.Input->GetPointData());
-  e.Output->GetCellData()->PassData(e.Input->GetCellData());
-  e.Output->GetFieldData()->PassData(e.Input->GetFieldData());
+  e.Output->GetPointData()->ShallowCopy(e.Input->GetPointData());
+  e.Output->GetCellData()->ShallowCopy(e.Input->GetCellData());
+  e.Output->GetFieldData()->ShallowCopy(e.Input->GetFieldData());
+  if (this->TransformAllInputVectors)
+  {
+    vtkTurnedArrays::Turn(e.Output,
+      [&e](vtkIdType i) -> const Eigen::Matrix3d*
+      {
+        const Eigen::Matrix3d& R = e.Rotations[i];
+        return R == Eigen::Matrix3d::Identity() ? nullptr : &R;
+      });
+  }
   e.Output->GetPointData()->AddArray(displacement);
   if (!e.Volume.Cells.empty())
   {
@@ -459,6 +484,7 @@ void vtkMeshMorphingFilter::GoOn(double progress)
 void vtkMeshMorphingFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "TransformAllInputVectors: " << OnOff(this->TransformAllInputVectors) << "\n";
   os << indent << "NumberOfVolumeCells: " << this->NumberOfVolumeCells << "\n";
   os << indent << "NumberOfInvertedCells: " << this->NumberOfInvertedCells << "\n";
   os << indent << "SmallestScaledJacobianBefore: " << this->SmallestScaledJacobianBefore << "\n";

@@ -78,6 +78,19 @@ public:
 
   ///@{
   /**
+   * Turn vectors and tensors with the mesh [turn]: arrays of points and cells of floating-point
+   * numbers with 3 components (R v), and with 9 or 6 (R T R^T; 6 are xx, yy, zz, xy, yz, xz). R is
+   * the rotation of the volume cells around a point, or of the surface near it, and of a cell the
+   * one closest to the mean of those of its points. Normals, active texture coordinates and what
+   * belongs to points at which nothing moves stay as they are. Default off.
+   */
+  vtkSetMacro(TransformAllInputVectors, bool);
+  vtkGetMacro(TransformAllInputVectors, bool);
+  vtkBooleanMacro(TransformAllInputVectors, bool);
+  ///@}
+
+  ///@{
+  /**
    * Facts of the last execution: volume cells, those of them that are inverted in the output (they
    * were in the input, or there is an error), the smallest scaled Jacobians, NaN without volume
    * cells, and the steps that it took.
@@ -112,6 +125,7 @@ private:
   void JudgeVolume(const Execution& e);
   void GoOn(double progress);
 
+  bool TransformAllInputVectors = false;
   vtkIdType NumberOfVolumeCells = 0;
   vtkIdType NumberOfInvertedCells = 0;
   double SmallestScaledJacobianBefore = 0.0;

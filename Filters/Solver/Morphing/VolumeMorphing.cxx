@@ -5,6 +5,7 @@
 #include "BlockSystem.h"
 #include "Frame.h"
 #include "LinearSystem.h"
+#include "LocalStep.h"
 #include "Parallel.h"
 #include "UntanglingEnergy.h"
 
@@ -454,6 +455,57 @@ MorphedVolume MorphVolume(const VolumeMesh& rest, const std::vector<char>& isFix
     }
   }
   return result;
+}
+
+Matrices VolumeRotations(const VolumeMesh& rest, const Points& Q, int threads)
+{
+  const Frame frame = FrameOf(rest.P);
+  const Points P = frame.Into(rest.P);
+  const Points moved = frame.Into(Q);
+  const auto n = static_cast<std::size_t>(P.rows());
+  Matrices rotations(n, Eigen::Matrix3d::Zero());
+  std::vector<char> touched(n, 0);
+  for (int cell = 0; cell < rest.GetNumberOfCells(); ++cell)
+  {
+    const int* ids = rest.PointsOf(cell);
+    for (const CellCorner& corner : CornersOf(rest.Shapes[cell]))
+    {
+      Eigen::Matrix3d before;
+      Eigen::Matrix3d after;
+      bool same = true;
+      for (int k = 0; k < 4; ++k)
+      {
+        const int i = ids[corner[k]];
+        same = same && Q.row(i) == rest.P.row(i);
+        if (k > 0)
+        {
+          before.col(k - 1) = (P.row(i) - P.row(ids[corner[0]])).transpose();
+          after.col(k - 1) = (moved.row(i) - moved.row(ids[corner[0]])).transpose();
+        }
+      }
+      // |det E| J = sign(det E) E' adj E, for J = E' E^-1.
+      Eigen::Matrix3d adjugate;
+      adjugate.row(0) = before.col(1).cross(before.col(2)).transpose();
+      adjugate.row(1) = before.col(2).cross(before.col(0)).transpose();
+      adjugate.row(2) = before.col(0).cross(before.col(1)).transpose();
+      const double sign = adjugate.row(0).dot(before.col(0)) < 0.0 ? -1.0 : 1.0;
+      for (const int k : corner)
+      {
+        rotations[ids[k]] += sign * after * adjugate;
+        touched[ids[k]] |= same ? 0 : 1;
+      }
+    }
+  }
+  ParallelFor(static_cast<int>(n), threads,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        rotations[i] = touched[i] ? ClosestRotation(rotations[i].transpose())
+                                  : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+      }
+    });
+  return rotations;
 }
 
 std::vector<char> InvertedByBoundary(

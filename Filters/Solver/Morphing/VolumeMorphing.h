@@ -36,6 +36,12 @@ Points HarmonicExtension(const VolumeMesh& rest, const std::vector<char>& isFixe
 MorphedVolume MorphVolume(const VolumeMesh& rest, const std::vector<char>& isFixed,
   const Points& displacements, int threads, const Callback& callback = {});
 
+/// How much of the mesh at a point has turned [turn], for each point: the rotation closest to the
+/// sum of w_c J_c over the corners with that point. Corners that are flat at rest do not count; the
+/// identity where nothing does, and, to the bit, where no corner has moved.
+/// @param Q  n x 3, where the points are now
+Matrices VolumeRotations(const VolumeMesh& rest, const Points& Q, int threads);
+
 /// m flags: 1 for cells of which a corner is inverted and has no inner point: no motion of inner
 /// points changes that.
 std::vector<char> InvertedByBoundary(
