@@ -46,6 +46,7 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Of the diagonal: how far a point of the boundary may be from its point of the surface.
 constexpr double Tolerance = 1e-6;
+constexpr double Farthest = 1e300;               // coordinate, as of all points
 constexpr vtkIdType MostPoints = 2147483647 / 3; // rows of the linear system
 
 /// The surface as it was at rest, all points, and what moved them.
@@ -69,26 +70,24 @@ MovedSurface FindRest(vtkPolyData* surface)
                                 "point; Spherical Style makes it (GenerateDisplacement)");
   }
   MovedSurface moved;
+  const Points x = vtkSurfaceMeshConversion::PointsOf(surface);
+  moved.Largest = x.cwiseAbs().maxCoeff();
   moved.Displacements.resize(n, 3);
   vtkNew<vtkPoints> rest;
   rest->SetDataTypeToDouble();
   rest->SetNumberOfPoints(n);
   for (vtkIdType i = 0; i < n; ++i)
   {
-    double x[3];
-    surface->GetPoint(i, x);
     displacement->GetTuple(i, moved.Displacements.row(i).data());
-    for (int k = 0; k < 3; ++k)
+    const Eigen::RowVector3d place = x.row(i) - moved.Displacements.row(i);
+    if (!(place.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= Farthest))
     {
-      if (!std::isfinite(x[k]) || !std::isfinite(moved.Displacements(i, k)))
-      {
-        throw std::invalid_argument(
-          "point " + std::to_string(i) + ", or its Displacement, is not finite");
-      }
-      moved.Largest = std::max(moved.Largest, std::abs(x[k]));
-      x[k] -= moved.Displacements(i, k);
+      std::ostringstream message;
+      message << "Displacement of point " << i << " is not finite, or leads too far away: ("
+              << moved.Displacements.row(i) << ")";
+      throw std::invalid_argument(message.str());
     }
-    rest->SetPoint(i, x);
+    rest->SetPoint(i, place.data());
   }
   moved.Single = surface->GetPoints()->GetDataType() != VTK_DOUBLE;
   moved.Rest = vtkSmartPointer<vtkPolyData>::New();
@@ -255,10 +254,13 @@ int vtkMeshMorphingFilter::Execute(
     throw std::invalid_argument("Surface: it has no points; take the surface of the input, rounded "
                                 "(Extract Surface, then Spherical Style)");
   }
+  const auto withoutEmptyArrays = vtkSurfaceMeshConversion::WithoutEmptyArrays(e.Input);
+  e.Input = withoutEmptyArrays;
   e.Threads = ThreadsToUse(0);
-  e.P = vtkVolumeCells::PointsOf(e.Input);
+  e.P = vtkSurfaceMeshConversion::PointsOf(e.Input);
   e.Q = e.P;
   e.Volume = vtkVolumeCells::FromDataSet(e.Input, e.P);
+  vtkSurfaceMeshConversion::CheckArrays(e.Input);
   e.Surface = OfSurface([&] { return FindRest(surface); });
   this->GoOn(0.05);
   if (!e.Volume.Cells.empty())
@@ -443,7 +445,7 @@ void vtkMeshMorphingFilter::JudgeVolume(const Execution& e)
 {
   const SphericalStyle::VolumeMesh& mesh = e.Volume.Mesh;
   const Eigen::VectorXd after =
-    ScaledJacobians(mesh, vtkVolumeCells::PointsOf(e.Output), e.Threads);
+    ScaledJacobians(mesh, vtkSurfaceMeshConversion::PointsOf(e.Output), e.Threads);
   this->SmallestScaledJacobianAfter = after.minCoeff();
   Flagged inverted;
   Flagged asBefore;
