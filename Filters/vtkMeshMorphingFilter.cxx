@@ -6,6 +6,7 @@
 #include "VolumeMorphing.h"
 #include "vtkFilterSupport.h"
 #include "vtkSurfaceMeshConversion.h"
+#include "vtkTurnedArrays.h"
 #include "vtkVolumeCells.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -45,6 +46,7 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// Of the diagonal: how far a point of the boundary may be from its point of the surface.
 constexpr double Tolerance = 1e-6;
+constexpr double Farthest = 1e300;               // coordinate, as of all points
 constexpr vtkIdType MostPoints = 2147483647 / 3; // rows of the linear system
 
 /// The surface as it was at rest, all points, and what moved them.
@@ -68,26 +70,24 @@ MovedSurface FindRest(vtkPolyData* surface)
                                 "point; Spherical Style makes it (GenerateDisplacement)");
   }
   MovedSurface moved;
+  const Points x = vtkSurfaceMeshConversion::PointsOf(surface);
+  moved.Largest = x.cwiseAbs().maxCoeff();
   moved.Displacements.resize(n, 3);
   vtkNew<vtkPoints> rest;
   rest->SetDataTypeToDouble();
   rest->SetNumberOfPoints(n);
   for (vtkIdType i = 0; i < n; ++i)
   {
-    double x[3];
-    surface->GetPoint(i, x);
     displacement->GetTuple(i, moved.Displacements.row(i).data());
-    for (int k = 0; k < 3; ++k)
+    const Eigen::RowVector3d place = x.row(i) - moved.Displacements.row(i);
+    if (!(place.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= Farthest))
     {
-      if (!std::isfinite(x[k]) || !std::isfinite(moved.Displacements(i, k)))
-      {
-        throw std::invalid_argument(
-          "point " + std::to_string(i) + ", or its Displacement, is not finite");
-      }
-      moved.Largest = std::max(moved.Largest, std::abs(x[k]));
-      x[k] -= moved.Displacements(i, k);
+      std::ostringstream message;
+      message << "Displacement of point " << i << " is not finite, or leads too far away: ("
+              << moved.Displacements.row(i) << ")";
+      throw std::invalid_argument(message.str());
     }
-    rest->SetPoint(i, x);
+    rest->SetPoint(i, place.data());
   }
   moved.Single = surface->GetPoints()->GetDataType() != VTK_DOUBLE;
   moved.Rest = vtkSmartPointer<vtkPolyData>::New();
@@ -168,8 +168,9 @@ struct vtkMeshMorphingFilter::Execution
   Points Q; ///< of the output
   MovedSurface Surface;
   vtkVolumeCells::Volume Volume;
-  std::vector<char> Fixed; ///< points of the boundary
-  Eigen::VectorXd Before;  ///< scaled Jacobians
+  std::vector<char> Fixed;            ///< points of the boundary
+  Eigen::VectorXd Before;             ///< scaled Jacobians
+  SphericalStyle::Matrices Rotations; ///< of the points, where vectors turn
   int Threads = 1;
 };
 
@@ -253,10 +254,13 @@ int vtkMeshMorphingFilter::Execute(
     throw std::invalid_argument("Surface: it has no points; take the surface of the input, rounded "
                                 "(Extract Surface, then Spherical Style)");
   }
+  const auto withoutEmptyArrays = vtkSurfaceMeshConversion::WithoutEmptyArrays(e.Input);
+  e.Input = withoutEmptyArrays;
   e.Threads = ThreadsToUse(0);
-  e.P = vtkVolumeCells::PointsOf(e.Input);
+  e.P = vtkSurfaceMeshConversion::PointsOf(e.Input);
   e.Q = e.P;
   e.Volume = vtkVolumeCells::FromDataSet(e.Input, e.P);
+  vtkSurfaceMeshConversion::CheckArrays(e.Input);
   e.Surface = OfSurface([&] { return FindRest(surface); });
   this->GoOn(0.05);
   if (!e.Volume.Cells.empty())
@@ -330,6 +334,10 @@ void vtkMeshMorphingFilter::MoveVolume(Execution& e)
     });
   this->NumberOfIterations = result.iterations;
   e.Q = result.P;
+  if (this->TransformAllInputVectors)
+  {
+    e.Rotations = VolumeRotations(mesh, e.Q, e.Threads);
+  }
 }
 
 /// Sets Q of the points of no volume cell.
@@ -356,10 +364,20 @@ void vtkMeshMorphingFilter::MoveOthers(Execution& e)
     const std::size_t end = std::min(begin + block, others.size());
     const std::vector<Eigen::Index> some(others.begin() + static_cast<std::ptrdiff_t>(begin),
       others.begin() + static_cast<std::ptrdiff_t>(end));
-    const Points u = field.At(e.P(some, SphericalStyle::AllColumns), e.Threads);
+    const Points x = e.P(some, SphericalStyle::AllColumns);
+    const Points u = field.At(x, e.Threads);
     for (std::size_t k = 0; k < some.size(); ++k)
     {
       e.Q.row(some[k]) += u.row(static_cast<Eigen::Index>(k));
+    }
+    if (this->TransformAllInputVectors)
+    {
+      const SphericalStyle::Matrices R = field.RotationsAt(x, e.Threads);
+      e.Rotations.resize(e.P.rows(), Eigen::Matrix3d::Identity());
+      for (std::size_t k = 0; k < some.size(); ++k)
+      {
+        e.Rotations[some[k]] = R[k];
+      }
     }
     this->GoOn(0.6 + 0.35 * static_cast<double>(end) / static_cast<double>(others.size()));
   }
@@ -403,9 +421,18 @@ void vtkMeshMorphingFilter::FillOutput(const Execution& e)
     e.Output->CopyStructure(e.Input);
   }
   e.Output->SetPoints(points);
-  e.Output->GetPointData()->PassData(e.Input->GetPointData());
-  e.Output->GetCellData()->PassData(e.Input->GetCellData());
-  e.Output->GetFieldData()->PassData(e.Input->GetFieldData());
+  e.Output->GetPointData()->ShallowCopy(e.Input->GetPointData());
+  e.Output->GetCellData()->ShallowCopy(e.Input->GetCellData());
+  e.Output->GetFieldData()->ShallowCopy(e.Input->GetFieldData());
+  if (this->TransformAllInputVectors)
+  {
+    vtkTurnedArrays::Turn(e.Output,
+      [&e](vtkIdType i) -> const Eigen::Matrix3d*
+      {
+        const Eigen::Matrix3d& R = e.Rotations[i];
+        return R == Eigen::Matrix3d::Identity() ? nullptr : &R;
+      });
+  }
   e.Output->GetPointData()->AddArray(displacement);
   if (!e.Volume.Cells.empty())
   {
@@ -418,7 +445,7 @@ void vtkMeshMorphingFilter::JudgeVolume(const Execution& e)
 {
   const SphericalStyle::VolumeMesh& mesh = e.Volume.Mesh;
   const Eigen::VectorXd after =
-    ScaledJacobians(mesh, vtkVolumeCells::PointsOf(e.Output), e.Threads);
+    ScaledJacobians(mesh, vtkSurfaceMeshConversion::PointsOf(e.Output), e.Threads);
   this->SmallestScaledJacobianAfter = after.minCoeff();
   Flagged inverted;
   Flagged asBefore;
@@ -459,6 +486,7 @@ void vtkMeshMorphingFilter::GoOn(double progress)
 void vtkMeshMorphingFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "TransformAllInputVectors: " << OnOff(this->TransformAllInputVectors) << "\n";
   os << indent << "NumberOfVolumeCells: " << this->NumberOfVolumeCells << "\n";
   os << indent << "NumberOfInvertedCells: " << this->NumberOfInvertedCells << "\n";
   os << indent << "SmallestScaledJacobianBefore: " << this->SmallestScaledJacobianBefore << "\n";

@@ -375,8 +375,9 @@ void vtkSphericalStyleFilter::MakePreview(
   if (surface->Part.Max(basis.Coarse ? 0.0 : 1.0) > 0.0)
   {
     vtkPolyData* model = basis.Refined ? basis.Refined.Get() : input;
-    basis.Coarse = vtkCoarseSurface::Make(vtkSurfaceMeshConversion::WithoutEmptyArrays(model),
-      *surface, this->PreviewSize, Probes, internal->Solver.GetFrame().scale);
+    const auto without = vtkSurfaceMeshConversion::WithoutEmptyArrays(model);
+    basis.Coarse = vtkCoarseSurface::Make(vtkPolyData::SafeDownCast(without), *surface,
+      this->PreviewSize, Probes, internal->Solver.GetFrame().scale);
   }
   const std::shared_ptr<const vtkCoarseSurface> coarse = basis.Coarse;
   SphericalStyle::MethodOptions o = this->MakeOptions();

@@ -15,6 +15,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -22,6 +23,7 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
@@ -262,7 +264,7 @@ void CheckComponents(vtkDataArray* array, const char* what)
   }
 }
 
-Points AllPoints(vtkPolyData* input)
+Points AllPoints(vtkPointSet* input)
 {
   CheckComponents(input->GetPoints()->GetData(), "Points");
   Points x(input->GetNumberOfPoints(), 3);
@@ -284,24 +286,6 @@ Points AllPoints(vtkPolyData* input)
 
 /// Sums over as many points as there may be stay finite below this.
 constexpr double LargestCoordinate = 1e300;
-
-Points CheckedPoints(vtkPolyData* input)
-{
-  Points x = AllPoints(input);
-  for (Eigen::Index i = 0; i < x.rows(); ++i)
-  {
-    const double largest = x.row(i).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-    if (!(largest <= LargestCoordinate))
-    {
-      std::ostringstream message;
-      message << "Points: point " << i << " is "
-              << (std::isfinite(largest) ? "farther from the origin than 1e300" : "not finite")
-              << ": (" << x.row(i) << ")";
-      Refuse(message);
-    }
-  }
-  return x;
-}
 
 void CheckSize(std::size_t triangles, std::size_t points)
 {
@@ -985,7 +969,7 @@ vtkSurfaceMesh FromPolyData(vtkPolyData* input, bool weld, TakePoints take,
 {
   CheckAllNormals(input);
   CheckCells(input);
-  Points x = CheckedPoints(input);
+  Points x = PointsOf(input);
   CheckSize(
     static_cast<std::size_t>(input->GetNumberOfPolys()), static_cast<std::size_t>(x.rows()));
   SphericalStyle::SurfacePart everybody;
@@ -1068,14 +1052,41 @@ bool Update(vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>
   return true;
 }
 
-vtkSmartPointer<vtkPolyData> WithoutEmptyArrays(vtkPolyData* input)
+SphericalStyle::Points PointsOf(vtkDataSet* input)
+{
+  Points x(input->GetNumberOfPoints(), 3);
+  auto* points = vtkPointSet::SafeDownCast(input);
+  if (points && x.rows() > 0)
+  {
+    x = AllPoints(points);
+  }
+  for (Eigen::Index i = 0; i < x.rows(); ++i)
+  {
+    if (!points)
+    {
+      input->GetPoint(i, x.row(i).data());
+    }
+    const double largest = x.row(i).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+    if (!(largest <= LargestCoordinate))
+    {
+      std::ostringstream message;
+      message << "Points: point " << i << " is "
+              << (std::isfinite(largest) ? "farther from the origin than 1e300" : "not finite")
+              << ": (" << x.row(i) << ")";
+      Refuse(message);
+    }
+  }
+  return x;
+}
+
+vtkSmartPointer<vtkDataSet> WithoutEmptyArrays(vtkDataSet* input)
 {
   if (FindEmptyArray(input->GetPointData(), input->GetNumberOfPoints()) < 0 &&
     FindEmptyArray(input->GetCellData(), input->GetNumberOfCells()) < 0)
   {
     return input;
   }
-  auto without = vtkSmartPointer<vtkPolyData>::New();
+  const auto without = vtkSmartPointer<vtkDataSet>::Take(input->NewInstance());
   without->ShallowCopy(input);
   RemoveEmptyArrays(without->GetPointData(), input->GetNumberOfPoints());
   RemoveEmptyArrays(without->GetCellData(), input->GetNumberOfCells());
@@ -1085,14 +1096,11 @@ vtkSmartPointer<vtkPolyData> WithoutEmptyArrays(vtkPolyData* input)
 void CheckPiece(vtkPolyData* piece)
 {
   CheckCells(piece);
-  if (piece->GetNumberOfPoints() > 0)
-  {
-    CheckedPoints(piece);
-  }
+  PointsOf(piece);
   CheckArrays(piece);
 }
 
-void CheckArrays(vtkPolyData* input)
+void CheckArrays(vtkDataSet* input)
 {
   CheckSizes(input->GetPointData(), input->GetNumberOfPoints(), "points");
   CheckSizes(input->GetCellData(), input->GetNumberOfCells(), "cells");

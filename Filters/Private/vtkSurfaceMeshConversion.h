@@ -17,6 +17,7 @@
 #include <vector>
 
 class vtkDataArray;
+class vtkDataSet;
 class vtkInformation;
 class vtkPolyData;
 
@@ -103,10 +104,14 @@ bool Update(vtkPolyData* input, bool weld, std::shared_ptr<const vtkSurfaceMesh>
   TakePoints take = TakePoints::OfTriangles,
   const std::shared_ptr<const SphericalStyle::Processes>& processes = nullptr);
 
-/// The surface without arrays of points or cells that have no tuple, although there are points or
+/// The points of a data set, n x 3.
+/// @throw std::invalid_argument naming the first that is not finite or beyond 1e300
+SphericalStyle::Points PointsOf(vtkDataSet* input);
+
+/// The data set without arrays of points or cells that have no tuple, although there are points or
 /// cells: vtkOBJReader makes such normals where faces name some that are not in the file.
 /// @return the input itself where it has no such array
-vtkSmartPointer<vtkPolyData> WithoutEmptyArrays(vtkPolyData* input);
+vtkSmartPointer<vtkDataSet> WithoutEmptyArrays(vtkDataSet* input);
 
 /// What FromPolyData refuses, and arrays of another number of tuples than points or cells.
 /// @param piece  of a surface that is going to be put together
@@ -115,7 +120,7 @@ void CheckPiece(vtkPolyData* piece);
 
 /// @throw std::invalid_argument naming the first array of points or cells whose number of tuples is
 ///        another than theirs
-void CheckArrays(vtkPolyData* input);
+void CheckArrays(vtkDataSet* input);
 
 /// A triangle of a cell, by input points.
 struct FaceTriangle

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVolumeCells.h"
 
+#include "vtkCell.h"
 #include "vtkCellType.h"
 #include "vtkCellTypes.h"
 #include "vtkDataSet.h"
@@ -9,9 +10,10 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
+#include "vtkSmartPointer.h"
 
 #include <array>
-#include <cmath>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -20,8 +22,6 @@ using SphericalStyle::CellShape;
 
 namespace
 {
-constexpr double FarthestCoordinate = 1e300;
-
 /// @return whether cells of the type are taken
 bool FindShape(int type, CellShape& shape)
 {
@@ -45,51 +45,46 @@ bool FindShape(int type, CellShape& shape)
   }
 }
 
-/// Dimension of the cells of a type, asked once.
-class Dimensions
+/// Dimension of the cells of a type; 3 of a type that VTK does not know, which is refused.
+int DimensionOf(int type)
 {
-public:
-  int Of(int type)
+  if (type == VTK_EMPTY_CELL)
   {
-    if (type < 0 || type >= VTK_NUMBER_OF_CELL_TYPES)
-    {
-      return 3; // not a type: refused
-    }
-    if (this->Known[type] < 0)
-    {
-      this->Cell->SetCellType(type);
-      this->Known[type] = type == VTK_EMPTY_CELL ? 0 : this->Cell->GetCellDimension();
-    }
-    return this->Known[type];
+    return 0;
   }
+  const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+  return cell ? cell->GetCellDimension() : 3;
+}
 
-  Dimensions() { this->Known.fill(-1); }
-
-private:
-  vtkNew<vtkGenericCell> Cell;
-  std::array<int, VTK_NUMBER_OF_CELL_TYPES> Known = {};
-};
+/// @throw std::invalid_argument naming the first point that is not there
+void CheckIds(vtkIdType cell, vtkIdList* ids, vtkIdType numberOfPoints)
+{
+  for (const vtkIdType id : *ids)
+  {
+    if (id < 0 || id >= numberOfPoints)
+    {
+      throw std::invalid_argument("cell " + std::to_string(cell) + " names point " +
+        std::to_string(id) + "; there are " + std::to_string(numberOfPoints) +
+        " points: the file or the program that the grid is from has numbered them wrongly");
+    }
+  }
+}
 
 void AddCell(
   SphericalStyle::VolumeMesh& mesh, vtkIdType cell, int type, CellShape shape, vtkIdList* ids)
 {
-  const std::string name = "cell " + std::to_string(cell);
   const int count = NumberOfPoints(shape);
   if (ids->GetNumberOfIds() != count)
   {
-    throw std::invalid_argument(name + " has " + std::to_string(ids->GetNumberOfIds()) +
-      " points; a " + vtkCellTypes::GetClassNameFromTypeId(type) + " has " + std::to_string(count));
+    throw std::invalid_argument("cell " + std::to_string(cell) + " has " +
+      std::to_string(ids->GetNumberOfIds()) + " points; a " +
+      vtkCellTypes::GetClassNameFromTypeId(type) + " has " + std::to_string(count) +
+      ": leave the cell out, or give it the type that it is");
   }
   std::array<int, 8> points = {};
   for (int k = 0; k < count; ++k)
   {
-    const vtkIdType id = ids->GetId(k);
-    if (id < 0 || id >= mesh.P.rows())
-    {
-      throw std::invalid_argument(name + " names point " + std::to_string(id) + "; there are " +
-        std::to_string(mesh.P.rows()) + " points");
-    }
-    points[k] = static_cast<int>(id);
+    points[k] = static_cast<int>(ids->GetId(k));
   }
   if (type == VTK_VOXEL)
   {
@@ -104,26 +99,6 @@ void AddCell(
 
 namespace vtkVolumeCells
 {
-SphericalStyle::Points PointsOf(vtkDataSet* input)
-{
-  SphericalStyle::Points P(input->GetNumberOfPoints(), 3);
-  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
-  {
-    input->GetPoint(i, P.row(i).data());
-    const double largest = P.row(i).cwiseAbs().maxCoeff();
-    if (!P.row(i).allFinite())
-    {
-      throw std::invalid_argument("point " + std::to_string(i) + " is not finite");
-    }
-    if (largest > FarthestCoordinate)
-    {
-      throw std::invalid_argument(
-        "point " + std::to_string(i) + " is farther from the origin than 1e300");
-    }
-  }
-  return P;
-}
-
 Volume FromDataSet(vtkDataSet* input, const SphericalStyle::Points& P)
 {
   Volume volume;
@@ -133,7 +108,7 @@ Volume FromDataSet(vtkDataSet* input, const SphericalStyle::Points& P)
   {
     return volume;
   }
-  Dimensions dimensions;
+  std::map<int, int> dimensions; // of the types without a shape
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
   {
@@ -142,15 +117,26 @@ Volume FromDataSet(vtkDataSet* input, const SphericalStyle::Points& P)
     if (FindShape(type, shape))
     {
       input->GetCellPoints(cell, ids);
+      CheckIds(cell, ids, P.rows());
       AddCell(volume.Mesh, cell, type, shape, ids);
       volume.Cells.push_back(cell);
     }
-    else if (dimensions.Of(type) == 3)
+    else
     {
-      throw std::invalid_argument("cell " + std::to_string(cell) + " is a " +
-        vtkCellTypes::GetClassNameFromTypeId(type) + " (type " + std::to_string(type) +
-        "); only linear tetrahedra, pyramids, wedges, hexahedra and voxels can be morphed: make "
-        "such cells with Tetrahedralize in ParaView, vtkDataSetTriangleFilter in VTK");
+      const auto [known, isNew] = dimensions.try_emplace(type, 0);
+      if (isNew)
+      {
+        known->second = DimensionOf(type);
+      }
+      if (known->second == 3)
+      {
+        throw std::invalid_argument("cell " + std::to_string(cell) + " is a " +
+          vtkCellTypes::GetClassNameFromTypeId(type) + " (type " + std::to_string(type) +
+          "); only linear tetrahedra, pyramids, wedges, hexahedra and voxels can be morphed: make "
+          "such cells with Tetrahedralize in ParaView, vtkDataSetTriangleFilter in VTK");
+      }
+      input->GetCellPoints(cell, ids);
+      CheckIds(cell, ids, P.rows());
     }
   }
   OrientCells(volume.Mesh);

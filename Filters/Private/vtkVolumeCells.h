@@ -20,15 +20,12 @@ struct Volume
   std::vector<vtkIdType> Cells;    ///< input cell of each
 };
 
-/// The points of a data set, n x 3.
-/// @throw std::invalid_argument naming the first that is not finite or beyond 1e300
-SphericalStyle::Points PointsOf(vtkDataSet* input);
-
 /// Tetrahedra, pyramids, wedges, hexahedra and voxels. Cells without a volume are left out; of an
 /// image or a rectilinear grid, whose cells cannot move one by one, all.
-/// @param P  of the input
-/// @throw std::invalid_argument naming the first cell of another kind, with a point id out of range
-///        or with too few points
+/// @param P  of the input: vtkSurfaceMeshConversion::PointsOf
+/// @throw std::invalid_argument naming the first cell of another kind with a volume, with a point
+/// id
+///        out of range or with too few points
 Volume FromDataSet(vtkDataSet* input, const SphericalStyle::Points& P);
 }
 

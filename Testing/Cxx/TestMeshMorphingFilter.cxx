@@ -461,9 +461,25 @@ void TestErrors(Checker& check)
   few->DeepCopy(MakeCube(1, VTK_HEXAHEDRON));
   few->InsertNextCell(VTK_TETRA, 3, wrong);
   all.push_back({ "few points", few, good, { "cell 1 has 3 points" } });
+  const Grid line = Grid::New();
+  line->DeepCopy(MakeCube(1, VTK_HEXAHEDRON));
+  const vtkIdType away[] = { 0, -1 };
+  line->InsertNextCell(VTK_LINE, 2, away);
+  all.push_back({ "ids of a line", line, good, { "cell 1 names point -1" } });
+  const Grid unknown = Grid::New();
+  unknown->DeepCopy(MakeCube(1, VTK_HEXAHEDRON));
+  unknown->InsertNextCell(200, 4, wrong);
+  all.push_back({ "type", unknown, good, { "cell 1 is a", "type 200", "Tetrahedralize" } });
+  const Grid sizes = Grid::New();
+  sizes->DeepCopy(cube);
+  sizes->GetPointData()->GetArray("Pressure")->SetNumberOfTuples(3);
+  all.push_back({ "sizes", sizes, good, { "array \"Pressure\" has 3 tuples for 64 points" } });
+  const Surface beyond = Moved(SurfaceOf(cube), Same);
+  beyond->GetPointData()->GetArray("Displacement")->SetComponent(4, 0, 1e301);
+  all.push_back({ "too far", cube, beyond, { "Surface: Displacement of point 4", "too far" } });
   const Surface nan = Moved(SurfaceOf(cube), Same);
   nan->GetPointData()->GetArray("Displacement")->SetComponent(2, 1, std::nan(""));
-  all.push_back({ "NaN", cube, nan, { "Surface: point 2", "not finite" } });
+  all.push_back({ "NaN", cube, nan, { "Surface: Displacement of point 2", "not finite" } });
   // The corner of the cube beyond its neighbors: no inner point helps.
   const Motion corner = [](const Vector& x) {
     return x[0] + x[1] + x[2] == 0.0 ? Vector{ 0.5, 0.5, 0.5 } : x;

@@ -6,15 +6,20 @@
 
 #include "vtkBlockStyleFilter.h"
 #include "vtkCubicStyleFilter.h"
+#include "vtkMeshMorphingFilter.h"
 #include "vtkNonlinearStyleFilter.h"
 #include "vtkSphereProjectionFilter.h"
 #ifdef SPHERICALSTYLE_WITH_CGAL
 #include "vtkConvexProxyDeformFilter.h"
 #endif
 
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkDataSetTriangleFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkIntArray.h"
+#include "vtkUnstructuredGrid.h"
 
 using namespace FilterTesting;
 
@@ -218,7 +223,7 @@ std::vector<Matrix> EdgeSums(vtkPolyData* rest, vtkPolyData* moved)
 }
 
 /// Of each cell: sum of the rotations at its points.
-std::vector<Matrix> CornerSums(vtkPolyData* moved)
+std::vector<Matrix> CornerSums(vtkPointSet* moved)
 {
   std::vector<Matrix> sums(moved->GetNumberOfCells(), Matrix{});
   vtkNew<vtkIdList> ids;
@@ -393,6 +398,196 @@ void AnySize(Checker& check)
     check.AtMost(difference, 1e-9, "vectors should not depend on the size");
   }
 }
+/// Around the origin, with all arrays.
+vtkSmartPointer<vtkImageData> MakeImage()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(6, 5, 7);
+  image->SetOrigin(-0.5, -0.4, -0.9);
+  image->SetSpacing(0.2, 0.2, 0.3);
+  AddArrays(image->GetPointData(), image->GetNumberOfPoints());
+  AddArrays(image->GetCellData(), image->GetNumberOfCells());
+  return image;
+}
+
+/// The same in tetrahedra, none like another, and a line that sticks out.
+vtkSmartPointer<vtkUnstructuredGrid> MakeVolume()
+{
+  vtkNew<vtkDataSetTriangleFilter> cut;
+  cut->SetInputData(MakeImage());
+  cut->Update();
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->CopyStructure(cut->GetOutput());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    Vector p;
+    grid->GetPoint(i, p.data());
+    points->InsertNextPoint(
+      p[0] + 0.2 * p[2] * p[2], p[1] + 0.03 * std::sin(20.0 * p[0]), p[2] + 0.1 * p[0] * p[1]);
+  }
+  const vtkIdType ends[] = { 0, points->InsertNextPoint(-2.0, -2.0, -2.0) };
+  grid->SetPoints(points);
+  grid->InsertNextCell(VTK_LINE, 2, ends);
+  AddArrays(grid->GetPointData(), grid->GetNumberOfPoints());
+  AddArrays(grid->GetCellData(), grid->GetNumberOfCells());
+  return grid;
+}
+
+/// Of each point: sum over the tetrahedra at it of their volume times their Jacobian.
+std::vector<Matrix> JacobianSums(vtkPointSet* rest, vtkPointSet* moved)
+{
+  std::vector<Matrix> sums(rest->GetNumberOfPoints(), Matrix{});
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = 0; c < rest->GetNumberOfCells(); ++c)
+  {
+    rest->GetCellPoints(c, ids);
+    if (rest->GetCellType(c) != VTK_TETRA)
+    {
+      continue;
+    }
+    double before[3][3];
+    double after[3][3];
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        before[a][k] = rest->GetPoint(ids->GetId(k + 1))[a] - rest->GetPoint(ids->GetId(0))[a];
+        after[a][k] = moved->GetPoint(ids->GetId(k + 1))[a] - moved->GetPoint(ids->GetId(0))[a];
+      }
+    }
+    double inverse[3][3];
+    double J[3][3];
+    vtkMath::Invert3x3(before, inverse);
+    vtkMath::Multiply3x3(after, inverse, J);
+    const double volume = std::abs(vtkMath::Determinant3x3(before));
+    for (const vtkIdType id : *ids)
+    {
+      for (int k = 0; k < 9; ++k)
+      {
+        sums[id][k / 3][k % 3] += volume * J[k / 3][k % 3];
+      }
+    }
+  }
+  return sums;
+}
+
+/// The surface of a volume, moved.
+template <typename Motion>
+Surface MovedSurface(vtkDataSet* volume, const Motion& motion)
+{
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(volume);
+  surface->Update();
+  auto moved = Surface::New();
+  moved->CopyStructure(surface->GetOutput());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> displacement;
+  displacement->SetName("Displacement");
+  displacement->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+  {
+    const Vector p = PointOf(surface->GetOutput(), i);
+    const Vector q = motion(p);
+    points->InsertNextPoint(q.data());
+    displacement->InsertNextTuple3(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+  }
+  moved->SetPoints(points);
+  moved->GetPointData()->AddArray(displacement);
+  return moved;
+}
+
+/// Volumes and images that go with a surface.
+void Morphing(Checker& check)
+{
+  const Matrix R = { { { 0.36, 0.48, -0.8 }, { -0.8, 0.6, 0.0 }, { 0.48, 0.64, 0.6 } } };
+  const auto rigid = [&](const Vector& p)
+  {
+    Vector q = Times(R, p);
+    q[1] += 3.0;
+    return q;
+  };
+  const auto twist = [](const Vector& p)
+  {
+    const double c = std::cos(0.8 * p[2]);
+    const double s = std::sin(0.8 * p[2]);
+    return Vector{ c * p[0] - s * p[1], s * p[0] + c * p[1], p[2] + 0.3 * p[0] * p[0] };
+  };
+  const auto top = [](const Vector& p) {
+    return Vector{ p[0], p[1], p[2] > 0.85 ? p[2] + 0.2 * p[0] : p[2] };
+  };
+  const auto volume = MakeVolume();
+  const auto image = MakeImage();
+  for (vtkDataSet* input : { static_cast<vtkDataSet*>(volume), static_cast<vtkDataSet*>(image) })
+  {
+    check.About(std::string("morphing: ") + input->GetClassName());
+    Watched<vtkMeshMorphingFilter> filter;
+    const auto run = [&](const Surface& surface)
+    {
+      filter->SetInputDataObject(0, input);
+      filter->SetSurfaceData(surface);
+      filter->Update();
+      return vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0));
+    };
+    vtkPointSet* output = run(MovedSurface(volume, rigid));
+    check(!filter->GetTransformAllInputVectors() &&
+        output->GetPointData()->GetArray("Direction") ==
+          input->GetPointData()->GetArray("Direction") &&
+        output->GetCellData()->GetArray("Full") == input->GetCellData()->GetArray("Full"),
+      "arrays should be passed by default");
+
+    filter->TransformAllInputVectorsOn();
+    output = run(MovedSurface(volume, rigid));
+    check(filter.Errors.empty(), "there should be no error");
+    double difference = 0.0;
+    for (vtkDataSetAttributes* arrays :
+      { static_cast<vtkDataSetAttributes*>(output->GetPointData()),
+        static_cast<vtkDataSetAttributes*>(output->GetCellData()) })
+    {
+      CheckArrays(check, arrays, arrays->GetNumberOfTuples());
+      for (vtkIdType i = 0; i < arrays->GetNumberOfTuples(); ++i)
+      {
+        const Matrix own = RotationAt(arrays, i);
+        for (int k = 0; k < 9; ++k)
+        {
+          difference = std::max(difference, std::abs(own[k / 3][k % 3] - R[k / 3][k % 3]));
+        }
+      }
+    }
+    check.AtMost(difference, 1e-12, "a surface that moves rigidly turns all vectors alike");
+    vtkDataArray* displacement = output->GetPointData()->GetArray("Displacement");
+    check.AtMost(
+      std::abs(displacement->GetComponent(0, 0) + input->GetPoint(0)[0] - output->GetPoint(0)[0]),
+      1e-12, "displacements do not turn");
+
+    output = run(MovedSurface(volume, twist));
+    check(filter.Errors.empty(), "there should be no error");
+    CheckArrays(check, output->GetPointData(), output->GetNumberOfPoints());
+    CheckArrays(check, output->GetCellData(), output->GetNumberOfCells());
+    CheckClosest(check, output->GetCellData(), CornerSums(output));
+    if (input == volume)
+    {
+      std::vector<Matrix> sums = JacobianSums(volume, output);
+      sums.pop_back(); // the end of the line, which the surface nearby turns
+      CheckClosest(check, output->GetPointData(), sums);
+    }
+
+    output = run(MovedSurface(volume, [](const Vector& p) { return p; }));
+    check(SameArray(output->GetPointData()->GetArray("Direction"),
+            input->GetPointData()->GetArray("Direction")) &&
+        SameArray(output->GetCellData()->GetArray("Full"), input->GetCellData()->GetArray("Full")),
+      "where nothing moves all bits stay");
+    output = run(MovedSurface(volume, top));
+    double most = 0.0;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      most = std::max(most, 1.0 - Tuple(output->GetPointData(), "X", i)[0]);
+    }
+    check(filter.Errors.empty() && most > 1e-4 && most < 0.1, "what moves turns, and no more");
+  }
+}
 }
 
 int TestTransformAllInputVectors(int, char*[])
@@ -414,5 +609,6 @@ int TestTransformAllInputVectors(int, char*[])
 #endif
   OutsideOfARegion(check);
   AnySize(check);
+  Morphing(check);
   return check.Result();
 }

@@ -4,10 +4,11 @@
 /// they are: the output is finite and has the input's points and cells, or there is one error and
 /// no output; the input is unchanged; and a filter that has run before gives what a new one gives.
 /// Built for libFuzzer, and with Replay.cxx for everybody else.
-#include "SurfaceFromBytes.h"
+#include "GridFromBytes.h"
 #include "TermFilters.h"
 
 #include "vtkGaussMapFilter.h"
+#include "vtkMeshMorphingFilter.h"
 #include "vtkNonlinearStyleFilter.h"
 #include "vtkSphereProjectionFilter.h"
 #include "vtkSurfaceDiagnostics.h"
@@ -68,8 +69,9 @@ void Demand(bool good, const char* what, vtkObject* about, const std::string& mo
 
 struct Subject
 {
-  vtkSmartPointer<vtkPolyDataAlgorithm> Filter;
-  bool Deforms = true; ///< output 0 is the input with other points
+  vtkSmartPointer<vtkAlgorithm> Filter;
+  bool Deforms = true;                       ///< output 0 is the input with other points
+  vtkSmartPointer<vtkDataSet> Own = nullptr; ///< what it is for, where that is no surface
 };
 
 constexpr int Enough = 8; // values of an enumeration; the setters clamp
@@ -283,6 +285,22 @@ Subject MakeParts(Bytes& bytes)
   return { f, false };
 }
 
+Subject MakeMeshMorphing(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkMeshMorphingFilter>::New();
+  f->SetTransformAllInputVectors(bytes.Flag());
+  const auto grid = GridFromBytes(bytes);
+  if (bytes.Below(16) != 1)
+  {
+    f->SetSurfaceData(MovedFromBytes(bytes, grid));
+  }
+  else
+  {
+    f->SetSurfaceData(Surface::New());
+  }
+  return { f, true, grid };
+}
+
 #ifdef SPHERICALSTYLE_WITH_CGAL
 Subject MakeConvexProxy(Bytes& bytes)
 {
@@ -354,6 +372,8 @@ Subject SubjectFromBytes(Bytes& bytes)
       return MakeNonlinearStyle(bytes);
     case 15:
       return MakeParts(bytes);
+    case 11:
+      return MakeMeshMorphing(bytes);
 #ifdef SPHERICALSTYLE_WITH_CGAL
     case 6:
     case 7:
@@ -366,9 +386,63 @@ Subject SubjectFromBytes(Bytes& bytes)
   }
 }
 
-bool FinitePoints(vtkPolyData* surface)
+bool FinitePoints(vtkDataSet* data)
 {
-  return surface->GetNumberOfPoints() == 0 || AllFinite(surface->GetPoints()->GetData());
+  bool all = true;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const double* x = data->GetPoint(i);
+    all = all && std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+  }
+  return all;
+}
+
+/// Types and points of the cells; the cells of images become hexahedra, so that only their number
+/// counts.
+bool SameCells(vtkDataSet* a, vtkDataSet* b)
+{
+  auto* surface = vtkPolyData::SafeDownCast(a);
+  if (surface && vtkPolyData::SafeDownCast(b))
+  {
+    return FilterTesting::SameCells(surface, vtkPolyData::SafeDownCast(b));
+  }
+  bool same = a->GetNumberOfCells() == b->GetNumberOfCells();
+  vtkNew<vtkIdList> ofA;
+  vtkNew<vtkIdList> ofB;
+  for (vtkIdType c = 0; c < a->GetNumberOfCells() && same && a->IsA(b->GetClassName()); ++c)
+  {
+    a->GetCellPoints(c, ofA);
+    b->GetCellPoints(c, ofB);
+    same = a->GetCellType(c) == b->GetCellType(c) &&
+      std::equal(ofA->begin(), ofA->end(), ofB->begin(), ofB->end());
+  }
+  return same;
+}
+
+bool SameDataSet(vtkDataSet* a, vtkDataSet* b)
+{
+  if (auto* surface = vtkPolyData::SafeDownCast(a))
+  {
+    return SamePolyData(surface, vtkPolyData::SafeDownCast(b));
+  }
+  bool same = a->GetNumberOfPoints() == b->GetNumberOfPoints() && SameCells(a, b) &&
+    SameActiveAttributes(a->GetPointData(), b->GetPointData()) &&
+    SameActiveAttributes(a->GetCellData(), b->GetCellData());
+  for (vtkIdType i = 0; i < a->GetNumberOfPoints() && same; ++i)
+  {
+    Vector x;
+    Vector y;
+    a->GetPoint(i, x.data());
+    b->GetPoint(i, y.data());
+    same = std::memcmp(x.data(), y.data(), sizeof(x)) == 0;
+  }
+  for (const int type : { vtkDataObject::POINT, vtkDataObject::CELL, vtkDataObject::FIELD })
+  {
+    vtkFieldData* ofA = a->GetAttributesAsFieldData(type);
+    vtkFieldData* ofB = b->GetAttributesAsFieldData(type);
+    same = same && ofA->GetNumberOfArrays() == ofB->GetNumberOfArrays() && SameArrays(ofA, ofB);
+  }
+  return same;
 }
 
 /// Whether the arrays that are not of the input are finite. Normals of the input that are not may
@@ -387,11 +461,10 @@ bool FiniteNewArrays(vtkFieldData* before, vtkFieldData* after)
   return all;
 }
 
-/// What differs between two surfaces, nothing if they are the same to the bit.
-std::string Difference(vtkPolyData* a, vtkPolyData* b)
+/// What differs between two results, nothing if they are the same to the bit.
+std::string Difference(vtkDataSet* a, vtkDataSet* b)
 {
-  std::string all =
-    SamePoints(a, b) ? "" : " points by " + vtkVariant(LargestDistance(a, b)).ToString();
+  std::string all;
   for (const auto& [x, y] :
     { std::pair<vtkFieldData*, vtkFieldData*>(a->GetPointData(), b->GetPointData()),
       std::pair<vtkFieldData*, vtkFieldData*>(a->GetCellData(), b->GetCellData()) })
@@ -404,7 +477,7 @@ std::string Difference(vtkPolyData* a, vtkPolyData* b)
       }
     }
   }
-  return all.empty() && !SamePolyData(a, b) ? " number of arrays, cells or attributes" : all;
+  return all.empty() && !SameDataSet(a, b) ? " points, cells, attributes or number of arrays" : all;
 }
 
 struct Messages
@@ -423,27 +496,33 @@ std::string Said(const std::vector<std::string>& messages)
   return all;
 }
 
+vtkDataSet* OutputOf(const Subject& subject)
+{
+  return vtkDataSet::SafeDownCast(subject.Filter->GetOutputDataObject(0));
+}
+
 /// Runs the filter and looks at what comes out of it.
-Messages RunAndCheck(const Subject& subject, vtkPolyData* input)
+Messages RunAndCheck(const Subject& subject, vtkDataSet* input)
 {
   Messages messages;
-  vtkPolyDataAlgorithm* filter = subject.Filter;
+  vtkAlgorithm* filter = subject.Filter;
   filter->RemoveAllObservers(); // of NoteBlocks too: blocks are no part of this
   filter->GetExecutive()->RemoveAllObservers();
   Watch(filter, vtkCommand::ErrorEvent, messages.Errors);
   Watch(filter, vtkCommand::WarningEvent, messages.Warnings);
   Watch(filter->GetExecutive(), vtkCommand::ErrorEvent, messages.OfExecutive);
-  const auto before = Surface::New();
+  const auto before = vtkSmartPointer<vtkDataSet>::Take(input->NewInstance());
   before->DeepCopy(input);
   Others()->Errors.clear();
-  filter->SetInputData(input);
+  filter->SetInputDataObject(0, input);
   filter->Modified(); // the input may have changed without a word
   filter->Update();
   filter->RemoveAllObservers(); // they write to what is ours
   filter->GetExecutive()->RemoveAllObservers();
 
-  vtkPolyData* output = filter->GetOutput();
-  Demand(SamePolyData(before, input), "the input is unchanged", filter);
+  vtkDataSet* output = OutputOf(subject);
+  std::cerr << "SAID " << input->GetClassName() << " " << output->GetNumberOfPoints() << " " << (messages.Errors.empty() ? "" : messages.Errors[0].substr(messages.Errors[0].find("): "))) << (messages.Warnings.empty() ? "" : messages.Warnings[0].substr(messages.Warnings[0].find("): "))) << "\n";
+  Demand(SameDataSet(before, input), "the input is unchanged", filter);
   Demand(Others()->Errors.empty(), "no other object complains", filter, Joined(Others()->Errors));
   Demand(messages.Errors.size() < 2, "one error at most", filter, Joined(messages.Errors));
   if (!messages.Errors.empty())
@@ -474,24 +553,24 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   const bool again = bytes.Flag();
   Bytes same = bytes; // for a second filter like the first
   const Subject kept = SubjectFromBytes(bytes);
-  const Surface input = SurfaceFromBytes(bytes);
+  const vtkSmartPointer<vtkDataSet> input =
+    kept.Own ? kept.Own : vtkSmartPointer<vtkDataSet>(SurfaceFromBytes(bytes));
   RunAndCheck(kept, input);
-  if (!again || input->GetNumberOfPoints() == 0)
+  auto* points = vtkPointSet::SafeDownCast(input);
+  if (!again || !points || points->GetNumberOfPoints() == 0)
   {
     return 0;
   }
-  const vtkIdType moved = bytes.Byte() % input->GetNumberOfPoints();
-  input->GetPoints()->GetData()->SetComponent(moved, bytes.Below(3), bytes.Small());
+  const vtkIdType moved = bytes.Byte() % points->GetNumberOfPoints();
+  points->GetPoints()->GetData()->SetComponent(moved, bytes.Below(3), bytes.Small());
   const Messages ofKept = RunAndCheck(kept, input);
   const Subject fresh = SubjectFromBytes(same);
   const Messages ofFresh = RunAndCheck(fresh, input);
-  vtkPolyData* a = kept.Filter->GetOutput();
-  vtkPolyData* b = fresh.Filter->GetOutput();
   const std::string saidByKept = Said(ofKept.Errors) + Said(ofKept.Warnings);
   const std::string saidByFresh = Said(ofFresh.Errors) + Said(ofFresh.Warnings);
   Demand(saidByKept == saidByFresh, "a filter that has run says what a new one says", kept.Filter,
     saidByKept + "and not" + saidByFresh);
-  const std::string difference = Difference(a, b);
+  const std::string difference = Difference(OutputOf(kept), OutputOf(fresh));
   Demand(difference.empty(), "a filter that has run gives what a new one gives, but for",
     kept.Filter, difference);
   return 0;

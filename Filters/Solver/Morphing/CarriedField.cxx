@@ -4,6 +4,7 @@
 
 #include "DeformationMeasures.h"
 #include "Frame.h"
+#include "LocalStep.h"
 #include "Parallel.h"
 #include "SurfaceMeasures.h"
 
@@ -138,16 +139,16 @@ void CarriedField::Summarize(Group& group) const
   }
 }
 
-Eigen::Vector3d CarriedField::At(const Eigen::Vector3d& x) const
+CarriedField::Group CarriedField::Blend(const Eigen::Vector3d& x) const
 {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double weights = 0.0;
+  Group blend;
   const auto add = [&](const Group& group, double share)
   {
     const Eigen::Vector3d from = x - group.center;
     const double weight = share * Weight(group.area, from.squaredNorm());
-    sum += weight * (group.offset + group.turn * from);
-    weights += weight;
+    blend.offset += weight * (group.offset + group.turn * from);
+    blend.turn += weight * group.turn;
+    blend.area += weight;
   };
   std::vector<std::pair<int, double>> open = { { 0, 1.0 } }; // groups, and how much of them counts
   while (!open.empty())
@@ -173,7 +174,14 @@ Eigen::Vector3d CarriedField::At(const Eigen::Vector3d& x) const
       }
     }
   }
-  return sum / weights;
+  blend.offset /= blend.area;
+  blend.turn /= blend.area;
+  return blend;
+}
+
+Eigen::Vector3d CarriedField::IntoFrame(const Points& x, int row) const
+{
+  return (x.row(row) - this->Origin).transpose() / this->Scale;
 }
 
 Points CarriedField::At(const Points& x, int threads) const
@@ -188,10 +196,31 @@ Points CarriedField::At(const Points& x, int threads) const
     {
       for (int i = begin; i < end; ++i)
       {
-        const Eigen::Vector3d at = (x.row(i) - this->Origin).transpose() / this->Scale;
-        u.row(i) = this->Scale * this->At(at).transpose();
+        u.row(i) = this->Scale * this->Blend(this->IntoFrame(x, i)).offset.transpose();
       }
     });
   return u;
+}
+
+Matrices CarriedField::RotationsAt(const Points& x, int threads) const
+{
+  Matrices R(x.rows(), Eigen::Matrix3d::Identity());
+  if (!this->Moves)
+  {
+    return R;
+  }
+  ParallelFor(static_cast<int>(x.rows()), threads,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        const Eigen::Matrix3d turn = this->Blend(this->IntoFrame(x, i)).turn;
+        if (!turn.isZero(0.0))
+        {
+          R[i] = ClosestRotation((turn + Eigen::Matrix3d::Identity()).transpose());
+        }
+      }
+    });
+  return R;
 }
 } // namespace SphericalStyle

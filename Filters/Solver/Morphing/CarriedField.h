@@ -35,6 +35,8 @@ public:
 
   /// u at the points x, length.
   Points At(const Points& x, int threads) const;
+  /// How the space turns at the points x: the rotations closest to sum_k w_k R_k.
+  Matrices RotationsAt(const Points& x, int threads) const;
 
 private:
   /// What a group of samples adds at x: weight (offset + turn (x - center)).
@@ -51,7 +53,9 @@ private:
   };
   void Split(int group, std::vector<int>& order);
   void Summarize(Group& group) const;
-  Eigen::Vector3d At(const Eigen::Vector3d& x) const;
+  /// The groups and samples that count at x, blended into one.
+  Group Blend(const Eigen::Vector3d& x) const;
+  Eigen::Vector3d IntoFrame(const Points& x, int row) const;
 
   bool Moves = false;
   Eigen::RowVector3d Origin;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UntanglingEnergy.h"
 
+#include "LocalStep.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
+#include <algorithm>
 #include <cmath>
 
 namespace SphericalStyle
@@ -68,46 +70,54 @@ Eigen::Matrix3d UntanglingGradient(const Eigen::Matrix3d& J, double epsilon)
   return 2.0 * psi.byI * J + psi.byD * Cofactors(J);
 }
 
-UntanglingHessian UntanglingSecondDerivative(const Eigen::Matrix3d& J, double epsilon)
+UntanglingHessian UntanglingSecondDerivative(
+  const Eigen::Matrix3d& J, double epsilon, double smallest)
 {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Matrix3d& U = svd.matrixU();
-  Eigen::Matrix3d V = svd.matrixV();
-  Eigen::Vector3d s = svd.singularValues();
-  if (U.determinant() * V.determinant() < 0.0) // then J is inverted, and s has its sign
-  {
-    V.col(2) = -V.col(2);
-    s[2] = -s[2];
-  }
+  // J = R S, S = V diag(s) V^T, with a rotation R: s has the sign of det J.
+  const Eigen::Matrix3d R = ClosestRotation(J.transpose());
+  const Eigen::Matrix3d S = R.transpose() * J;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(0.5 * (S + S.transpose()));
+  UntanglingHessian hessian;
+  hessian.V = solver.eigenvectors();
+  hessian.U = R * hessian.V;
+  const Eigen::Vector3d s = solver.eigenvalues();
   const double D = s.prod();
   const Invariants psi = Differentiate(s.squaredNorm(), D, epsilon);
   const Eigen::Vector3d c(s[1] * s[2], s[2] * s[0], s[0] * s[1]); // d D / d s
-
-  UntanglingHessian hessian = {};
-  int n = 0;
-  Eigen::Matrix3d stretch =
+  hessian.Stretch =
     psi.byDD * c * c.transpose() + 2.0 * psi.byID * (s * c.transpose() + c * s.transpose());
+  hessian.Stretch.diagonal().array() += 2.0 * psi.byI;
+  Eigen::Vector3d same;     // eigenvalues of E_ij + E_ji
+  Eigen::Vector3d opposite; // of E_ij - E_ji
   for (int k = 0; k < 3; ++k)
   {
     const int i = (k + 1) % 3;
     const int j = (k + 2) % 3;
-    stretch(k, k) += 2.0 * psi.byI;
-    stretch(i, j) += psi.byD * s[k];
-    stretch(j, i) += psi.byD * s[k];
-    for (const double sign : { -1.0, 1.0 })
-    {
-      hessian.Values[n] = 2.0 * psi.byI + sign * s[k] * psi.byD;
-      hessian.Vectors[n] =
-        std::sqrt(0.5) * (U.col(i) * V.col(j).transpose() - sign * U.col(j) * V.col(i).transpose());
-      ++n;
-    }
+    hessian.Stretch(i, j) += psi.byD * s[k];
+    hessian.Stretch(j, i) += psi.byD * s[k];
+    same[k] = 2.0 * psi.byI - s[k] * psi.byD;
+    opposite[k] = 2.0 * psi.byI + s[k] * psi.byD;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(stretch);
+  solver.computeDirect(hessian.Stretch);
+  const double largest =
+    std::max({ solver.eigenvalues().maxCoeff(), same.maxCoeff(), opposite.maxCoeff() });
+  const double least = smallest * largest;
+  if (solver.eigenvalues().minCoeff() < least)
+  {
+    hessian.Stretch = solver.eigenvectors() * solver.eigenvalues().cwiseMax(least).asDiagonal() *
+      solver.eigenvectors().transpose();
+  }
+  hessian.Turn.setZero();
+  hessian.Cross.setZero();
   for (int k = 0; k < 3; ++k)
   {
-    hessian.Values[n] = solver.eigenvalues()[k];
-    hessian.Vectors[n] = U * solver.eigenvectors().col(k).asDiagonal() * V.transpose();
-    ++n;
+    const int i = (k + 1) % 3;
+    const int j = (k + 2) % 3;
+    const double plus = std::max(same[k], least);
+    const double minus = std::max(opposite[k], least);
+    hessian.Turn(i, j) = hessian.Turn(j, i) = 0.5 * (plus + minus);
+    hessian.Cross(i, j) = hessian.Cross(j, i) = 0.5 * (plus - minus);
   }
   return hessian;
 }

@@ -23,19 +23,33 @@ double UntanglingEnergy(const Eigen::Matrix3d& J, double epsilon);
 /// d psi / dJ
 Eigen::Matrix3d UntanglingGradient(const Eigen::Matrix3d& J, double epsilon);
 
-/// The second derivative of psi as sum over k of Values[k] Q_k (x) Q_k, Q_k = Vectors[k], of
-/// length 1 and orthogonal to each other.
+/// The second derivative of psi, made positive semidefinite. With J = U diag(s) V^T, psi is a
+/// function of s alone, so that in these axes it has few numbers: three stretch the axes, and six
+/// turn one into another, which have eigenvalues in closed form (B. Smith, F. de Goes, T. Kim,
+/// Analytic Eigensystems for Isotropic Distortion Energies, ACM Transactions on Graphics 38(1),
+/// 2019).
 struct UntanglingHessian
 {
-  double Values[9];
-  Eigen::Matrix3d Vectors[9];
+  Eigen::Matrix3d U; ///< a rotation
+  Eigen::Matrix3d V; ///< a rotation
+  Eigen::Matrix3d Stretch;
+  Eigen::Matrix3d Turn;  ///< of E_ij and itself, i != j
+  Eigen::Matrix3d Cross; ///< of E_ij and E_ji
+
+  /// The 3 x 3 matrix of J += x g^T and J += y h^T: psi changes by x^T B y. Without U and V.
+  /// @param g, h  in the axes: V^T g, V^T h
+  Eigen::Matrix3d InAxes(const Eigen::Vector3d& g, const Eigen::Vector3d& h) const
+  {
+    Eigen::Matrix3d B =
+      this->Stretch.cwiseProduct(g * h.transpose()) + this->Cross.cwiseProduct(h * g.transpose());
+    B.diagonal() += this->Turn * g.cwiseProduct(h);
+    return B;
+  }
 };
 
-/// With J = U diag(s) V^T, psi is a function of s alone, so that Q_k is U E V^T: six E turn one
-/// axis into another, which has eigenvalues in closed form, and three stretch the axes, a 3 x 3
-/// problem (B. Smith, F. de Goes, T. Kim, Analytic Eigensystems for Isotropic Distortion Energies,
-/// ACM Transactions on Graphics 38(1), 2019).
-UntanglingHessian UntanglingSecondDerivative(const Eigen::Matrix3d& J, double epsilon);
+/// @param smallest  eigenvalue, in units of the largest
+UntanglingHessian UntanglingSecondDerivative(
+  const Eigen::Matrix3d& J, double epsilon, double smallest);
 } // namespace SphericalStyle
 
 #endif

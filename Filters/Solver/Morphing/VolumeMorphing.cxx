@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeMorphing.h"
 
+#include "BlockSystem.h"
 #include "Frame.h"
 #include "LinearSystem.h"
+#include "LocalStep.h"
 #include "Parallel.h"
 #include "UntanglingEnergy.h"
 
@@ -19,8 +21,6 @@ namespace SphericalStyle
 {
 namespace
 {
-using System = LinearSystem::Matrix;
-
 constexpr int MostSteps = 100;
 /// Where the energy could fall by this share of what it is above its minimum without a boundary,
 /// the next step would not be seen.
@@ -29,6 +29,10 @@ constexpr double Converged = 1e-3;
 constexpr double Nothing = 1e-22;
 constexpr double Rounding = 1e-14; // of a sum of energies
 constexpr double SmallestEpsilon = 1e-9;
+constexpr double SmallestEigenvalue = 1e-8; // of a second derivative, in units of the largest
+/// Shares of what a solve could gain that may be left: of the start, and of a step.
+constexpr double HarmonicShare = 1e-10;
+constexpr double NewtonShare = 0.01;
 /// Corners that are flatter at rest than this, in units of the best one, are to become the best.
 constexpr double FlatCorner = 1e-6;
 
@@ -121,161 +125,50 @@ int CountOf(const std::vector<int>& unknowns)
     std::count_if(unknowns.begin(), unknowns.end(), [](int u) { return u >= 0; }));
 }
 
-/// The lower triangle of a symmetric matrix of blocks, one block row for each point that moves, and
-/// where in it the blocks of an element are.
-class BlockMatrix
+/// The unknowns of each element.
+std::vector<PairPattern::Element> UnknownsOf(
+  const std::vector<Element>& elements, const std::vector<int>& unknowns)
 {
-public:
-  /// @param size  rows of a block
-  BlockMatrix(int size, const std::vector<Element>& elements, const std::vector<int>& unknowns)
-    : Size(size)
-    , Elements(&elements)
-    , Unknowns(&unknowns)
+  std::vector<PairPattern::Element> all(elements.size());
+  for (std::size_t e = 0; e < all.size(); ++e)
   {
-    const int n = CountOf(unknowns);
-    this->Below.resize(n);
-    this->ForPairs([this](int row, int column) { this->Below[column].push_back(row); });
-    Eigen::VectorXi counts(size * n);
-    for (int j = 0; j < n; ++j)
-    {
-      std::vector<int>& rows = this->Below[j];
-      std::sort(rows.begin(), rows.end());
-      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-      for (int b = 0; b < size; ++b)
-      {
-        counts[size * j + b] = size - b + size * static_cast<int>(rows.size());
-      }
-    }
-    this->Values.resize(size * n, size * n);
-    this->Values.reserve(counts);
-    for (int j = 0; j < n; ++j)
-    {
-      for (int b = 0; b < size; ++b)
-      {
-        for (int a = b; a < size; ++a)
-        {
-          this->Values.insert(size * j + a, size * j + b) = 0.0;
-        }
-        for (const int row : this->Below[j])
-        {
-          for (int a = 0; a < size; ++a)
-          {
-            this->Values.insert(size * row + a, size * j + b) = 0.0;
-          }
-        }
-      }
-    }
-    this->Values.makeCompressed();
+    std::transform(elements[e].points.begin(), elements[e].points.end(), all[e].begin(),
+      [&](int i) { return unknowns[i]; });
   }
-
-  System& Get() { return this->Values; }
-  void SetZero() { std::fill_n(this->Values.valuePtr(), this->Values.nonZeros(), 0.0); }
-
-  /// Adds the matrix of an element, (4 Size) x (4 Size), of which the lower triangle counts.
-  template <typename Derived>
-  void Add(const Element& element, const Eigen::MatrixBase<Derived>& H)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      for (int l = 0; l <= k; ++l)
-      {
-        const int row = (*this->Unknowns)[element.points[k]];
-        const int column = (*this->Unknowns)[element.points[l]];
-        if (row >= 0 && column >= 0)
-        {
-          this->AddBlock(
-            row, column, H.block(this->Size * k, this->Size * l, this->Size, this->Size));
-        }
-      }
-    }
-  }
-
-private:
-  /// Calls body(row, column), row > column, for pairs of unknowns that share an element.
-  template <typename Body>
-  void ForPairs(const Body& body)
-  {
-    for (const Element& element : *this->Elements)
-    {
-      for (const int i : element.points)
-      {
-        for (const int j : element.points)
-        {
-          const int row = (*this->Unknowns)[i];
-          const int column = (*this->Unknowns)[j];
-          if (column >= 0 && row > column)
-          {
-            body(row, column);
-          }
-        }
-      }
-    }
-  }
-
-  template <typename Derived>
-  void AddBlock(int row, int column, const Eigen::MatrixBase<Derived>& block)
-  {
-    const bool turned = row < column;
-    const int low = std::min(row, column);
-    const int high = std::max(row, column);
-    const int* starts = this->Values.outerIndexPtr();
-    double* values = this->Values.valuePtr();
-    const std::vector<int>& rows = this->Below[low];
-    const auto place = low == high ? 0
-                                   : this->Size *
-        static_cast<int>(std::lower_bound(rows.begin(), rows.end(), high) - rows.begin());
-    for (int b = 0; b < this->Size; ++b)
-    {
-      double* column0 = values + starts[this->Size * low + b];
-      if (low == high)
-      {
-        for (int a = b; a < this->Size; ++a)
-        {
-          column0[a - b] += block(a, b);
-        }
-        continue;
-      }
-      for (int a = 0; a < this->Size; ++a)
-      {
-        column0[this->Size - b + place + a] += turned ? block(b, a) : block(a, b);
-      }
-    }
-  }
-
-  int Size;
-  const std::vector<Element>* Elements;
-  const std::vector<int>* Unknowns;
-  std::vector<std::vector<int>> Below; // of each column, the block rows below the diagonal
-  System Values;
-};
+  return all;
+}
 
 /// Displacements of the unknowns, in the frame.
-void ExtendHarmonically(
-  const std::vector<Element>& elements, const std::vector<int>& unknowns, Points& U, int threads)
+void ExtendHarmonically(const std::vector<Element>& elements, const std::vector<int>& unknowns,
+  const PairPattern& pattern, Points& U, int threads)
 {
-  BlockMatrix K(1, elements, unknowns);
-  LinearSystem::RightHandSides right = LinearSystem::RightHandSides::Zero(K.Get().rows(), 3);
+  LinearSystem::Matrix K = pattern.MakeMatrix();
+  LinearSystem::RightHandSides right = LinearSystem::RightHandSides::Zero(K.rows(), 3);
   for (const Element& element : elements)
   {
     const Eigen::Matrix4d stiffness =
       element.weight * element.gradients * element.gradients.transpose();
-    K.Add(element, stiffness);
     for (int k = 0; k < 4; ++k)
     {
-      for (int l = 0; l < 4; ++l)
+      const int row = unknowns[element.points[k]];
+      for (int l = 0; l < 4 && row >= 0; ++l)
       {
-        const int row = unknowns[element.points[k]];
-        if (row >= 0 && unknowns[element.points[l]] < 0)
+        const int column = unknowns[element.points[l]];
+        if (column < 0)
         {
           right.row(row) -= stiffness(k, l) * U.row(element.points[l]);
+        }
+        else if (column <= row)
+        {
+          K.valuePtr()[pattern.PlaceOf(row, column)] += stiffness(k, l);
         }
       }
     }
   }
-  LinearSystem system;
-  system.SetShareLeft(1e-12);
-  system.Analyze(K.Get());
-  system.Factor(K.Get(), threads);
+  LinearSystem system(LinearMethod::ConjugateGradients);
+  system.SetShareLeft(HarmonicShare);
+  system.Analyze(K);
+  system.Factor(K, threads);
   LinearSystem::RightHandSides solution = LinearSystem::RightHandSides::Zero(right.rows(), 3);
   system.Solve(right, solution, threads);
   for (std::size_t i = 0; i < unknowns.size(); ++i)
@@ -291,13 +184,25 @@ void ExtendHarmonically(
 class Untangling
 {
 public:
-  Untangling(const std::vector<Element>& elements, const std::vector<int>& unknowns, int threads)
+  Untangling(const std::vector<Element>& elements, const std::vector<int>& unknowns,
+    const PairPattern& pattern, int threads)
     : Elements(elements)
     , Unknowns(unknowns)
     , Threads(threads)
-    , Hessian(3, elements, unknowns)
+    , Places(elements.size())
+    , Hessian(pattern)
   {
-    this->System.Analyze(this->Hessian.Get());
+    for (std::size_t e = 0; e < elements.size(); ++e)
+    {
+      for (int pair = 0; pair < 10; ++pair)
+      {
+        const auto [k, l] = Pairs[pair];
+        const int row = unknowns[elements[e].points[k]];
+        const int column = unknowns[elements[e].points[l]];
+        const bool both = row >= 0 && column >= 0;
+        this->Places[e][pair] = both ? pattern.PlaceOf(row, column) : -1;
+      }
+    }
   }
 
   /// @return the number of steps
@@ -306,17 +211,18 @@ public:
     const double weight = std::accumulate(this->Elements.begin(), this->Elements.end(), 0.0,
       [](double sum, const Element& element) { return sum + element.weight; });
     const double bottom = 5.0 * weight;
-    double smallest = this->SmallestDeterminant(P);
+    double smallest = this->Measure(P).smallest;
     this->Epsilon = smallest > 0.0 ? SmallestEpsilon : 1.0;
     int step = 0;
     while (step < MostSteps)
     {
-      const double before = this->Energy(P);
+      const double before = this->Measure(P).energy;
       const double start = std::max(before - bottom, 0.0);
       this->Direct(P);
       const double slope = this->Gradient.cwiseProduct(this->Direction).sum();
       const bool moved = this->Search(P, before, slope, smallest > 0.0);
-      smallest = this->SmallestDeterminant(P);
+      const State after = this->Measure(P);
+      smallest = after.smallest;
       ++step;
       if (callback && !callback(step, slope / std::max(start, 1e-300)))
       {
@@ -327,35 +233,44 @@ public:
       {
         break;
       }
-      this->Sharpen(before, this->Energy(P), smallest);
+      this->Sharpen(before, after.energy, smallest);
     }
     return step;
   }
 
 private:
-  double Energy(const Points& P) const
+  /// Pairs of the points of an element.
+  static constexpr std::array<std::array<int, 2>, 10> Pairs = { { { 0, 0 }, { 1, 1 }, { 2, 2 },
+    { 3, 3 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 2, 1 }, { 3, 1 }, { 3, 2 } } };
+  using Blocks = std::array<Eigen::Matrix3d, 10>; // of Pairs
+
+  struct State
   {
-    return ParallelSum(static_cast<int>(this->Elements.size()), this->Threads,
+    double energy = 0.0;
+    double smallest = std::numeric_limits<double>::infinity(); ///< determinant
+
+    State& operator+=(const State& other)
+    {
+      this->energy += other.energy;
+      this->smallest = std::min(this->smallest, other.smallest);
+      return *this;
+    }
+  };
+
+  State Measure(const Points& P) const
+  {
+    return ParallelSum(static_cast<int>(this->Elements.size()), this->Threads, State(),
       [&](int begin, int end)
       {
-        double sum = 0.0;
+        State state;
         for (int e = begin; e < end; ++e)
         {
-          sum += this->Elements[e].weight *
-            UntanglingEnergy(JacobianOf(this->Elements[e], P), this->Epsilon);
+          const Eigen::Matrix3d J = JacobianOf(this->Elements[e], P);
+          state +=
+            State{ this->Elements[e].weight * UntanglingEnergy(J, this->Epsilon), J.determinant() };
         }
-        return sum;
+        return state;
       });
-  }
-
-  double SmallestDeterminant(const Points& P) const
-  {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const Element& element : this->Elements)
-    {
-      smallest = std::min(smallest, JacobianOf(element, P).determinant());
-    }
-    return smallest;
   }
 
   /// The schedule of the source: an epsilon at which the next energy is no larger than what the
@@ -372,12 +287,11 @@ private:
   /// made positive, element by element.
   void Direct(const Points& P)
   {
-    constexpr int block = 2048; // elements at a time: what they add is kept for one thread to add
-    using Matrix12 = Eigen::Matrix<double, 12, 12>;
+    constexpr int block = 8192; // elements at a time: what they add is kept for one thread to add
     this->Gradient.setZero(CountOf(this->Unknowns), 3);
     this->Hessian.SetZero();
     const int m = static_cast<int>(this->Elements.size());
-    std::vector<Matrix12> second(std::min(block, m));
+    std::vector<Blocks> second(std::min(block, m));
     std::vector<Eigen::Matrix<double, 4, 3>> first(second.size());
     for (int start = 0; start < m; start += block)
     {
@@ -391,13 +305,22 @@ private:
             const Eigen::Matrix3d J = JacobianOf(element, P);
             first[k] =
               element.weight * element.gradients * UntanglingGradient(J, this->Epsilon).transpose();
-            second[k] = this->ElementHessian(element, J);
+            second[k] = this->SecondDerivative(element, J);
           }
         });
       for (int k = 0; k < count; ++k)
       {
         const Element& element = this->Elements[start + k];
-        this->Hessian.Add(element, second[k]);
+        for (int pair = 0; pair < 10; ++pair)
+        {
+          if (const int place = this->Places[start + k][pair]; place >= 0)
+          {
+            const auto [row, column] = Pairs[pair];
+            this->Hessian.Add(place,
+              this->Unknowns[element.points[row]] < this->Unknowns[element.points[column]],
+              second[k][pair]);
+          }
+        }
         for (int j = 0; j < 4; ++j)
         {
           if (const int row = this->Unknowns[element.points[j]]; row >= 0)
@@ -407,31 +330,25 @@ private:
         }
       }
     }
-    this->System.Factor(this->Hessian.Get(), this->Threads);
-    // One right-hand side; the solver takes three.
-    LinearSystem::RightHandSides right =
-      LinearSystem::RightHandSides::Zero(this->Gradient.size(), 3);
-    LinearSystem::RightHandSides solution = right;
-    right.col(0) = -Eigen::Map<const Eigen::VectorXd>(this->Gradient.data(), this->Gradient.size());
-    this->System.Solve(right, solution, this->Threads);
-    this->Direction.resize(this->Gradient.rows(), 3);
-    Eigen::Map<Eigen::VectorXd>(this->Direction.data(), this->Direction.size()) = solution.col(0);
+    this->Hessian.Solve(-this->Gradient, this->Direction, NewtonShare, this->Threads);
   }
 
-  Eigen::Matrix<double, 12, 12> ElementHessian(
-    const Element& element, const Eigen::Matrix3d& J) const
+  Blocks SecondDerivative(const Element& element, const Eigen::Matrix3d& J) const
   {
-    const UntanglingHessian psi = UntanglingSecondDerivative(J, this->Epsilon);
-    const double largest = *std::max_element(psi.Values, psi.Values + 9);
-    Eigen::Matrix<double, 12, 9> vectors;
-    Eigen::Matrix<double, 9, 1> values;
-    for (int q = 0; q < 9; ++q)
+    const UntanglingHessian psi = UntanglingSecondDerivative(J, this->Epsilon, SmallestEigenvalue);
+    const Eigen::Matrix<double, 3, 4> g = psi.V.transpose() * element.gradients.transpose();
+    Blocks blocks;
+    for (const int pair : { 1, 2, 3, 7, 8, 9 })
     {
-      const Eigen::Matrix<double, 3, 4> column = psi.Vectors[q] * element.gradients.transpose();
-      vectors.col(q) = Eigen::Map<const Eigen::Matrix<double, 12, 1>>(column.data());
-      values[q] = element.weight * std::max(psi.Values[q], 1e-8 * largest);
+      const auto [k, l] = Pairs[pair];
+      blocks[pair] = element.weight * (psi.U * psi.InAxes(g.col(k), g.col(l)) * psi.U.transpose());
     }
-    return vectors * values.asDiagonal() * vectors.transpose();
+    // The gradients sum up to 0.
+    blocks[4] = -(blocks[1] + (blocks[7] + blocks[8]).transpose());
+    blocks[5] = -(blocks[7] + blocks[2] + blocks[9].transpose());
+    blocks[6] = -(blocks[8] + blocks[9] + blocks[3]);
+    blocks[0] = -(blocks[4] + blocks[5] + blocks[6]);
+    return blocks;
   }
 
   /// Goes along Direction, half as far as often as needed. @param valid  no cell may invert
@@ -449,8 +366,9 @@ private:
           next.row(static_cast<Eigen::Index>(i)) += length * this->Direction.row(this->Unknowns[i]);
         }
       }
-      if ((!valid || this->SmallestDeterminant(next) > 0.0) &&
-        this->Energy(next) <= (1.0 + Rounding) * before + 1e-4 * length * slope)
+      const State state = this->Measure(next);
+      if ((!valid || state.smallest > 0.0) &&
+        state.energy <= (1.0 + Rounding) * before + 1e-4 * length * slope)
       {
         P = next;
         return true;
@@ -462,10 +380,10 @@ private:
   const std::vector<Element>& Elements;
   const std::vector<int>& Unknowns;
   int Threads;
-  BlockMatrix Hessian;
-  LinearSystem System;
-  Points Gradient;  // of the unknowns
-  Points Direction; // the same
+  std::vector<std::array<int, 10>> Places; // of each element's Pairs in Hessian; -1 for none
+  BlockSystem Hessian;
+  BlockSystem::Rows Gradient;  // of the unknowns
+  BlockSystem::Rows Direction; // the same
   double Epsilon = 1.0;
 };
 
@@ -478,6 +396,7 @@ struct Setup
     , P(frame.Into(rest.P))
     , elements(MakeElements(rest, P))
     , unknowns(NumberUnknowns(elements, isFixed))
+    , pattern(CountOf(unknowns), UnknownsOf(elements, unknowns))
     , U(Points::Zero(P.rows(), 3))
   {
     for (std::size_t i = 0; i < isFixed.size(); ++i)
@@ -489,7 +408,7 @@ struct Setup
     }
     if (CountOf(unknowns) > 0 && !U.isZero(0.0))
     {
-      ExtendHarmonically(elements, unknowns, U, threads);
+      ExtendHarmonically(elements, unknowns, pattern, U, threads);
     }
   }
 
@@ -497,6 +416,7 @@ struct Setup
   Points P; ///< in the frame
   std::vector<Element> elements;
   std::vector<int> unknowns;
+  PairPattern pattern;
   Points U; ///< displacements, in the frame
 };
 } // namespace
@@ -517,7 +437,8 @@ MorphedVolume MorphVolume(const VolumeMesh& rest, const std::vector<char>& isFix
   if (CountOf(setup.unknowns) > 0 && !U.isZero(0.0))
   {
     Points moved = setup.P + U;
-    result.iterations = Untangling(setup.elements, setup.unknowns, threads).Run(moved, callback);
+    result.iterations =
+      Untangling(setup.elements, setup.unknowns, setup.pattern, threads).Run(moved, callback);
     U = moved - setup.P;
   }
   result.P = rest.P;
@@ -534,6 +455,57 @@ MorphedVolume MorphVolume(const VolumeMesh& rest, const std::vector<char>& isFix
     }
   }
   return result;
+}
+
+Matrices VolumeRotations(const VolumeMesh& rest, const Points& Q, int threads)
+{
+  const Frame frame = FrameOf(rest.P);
+  const Points P = frame.Into(rest.P);
+  const Points moved = frame.Into(Q);
+  const auto n = static_cast<std::size_t>(P.rows());
+  Matrices rotations(n, Eigen::Matrix3d::Zero());
+  std::vector<char> touched(n, 0);
+  for (int cell = 0; cell < rest.GetNumberOfCells(); ++cell)
+  {
+    const int* ids = rest.PointsOf(cell);
+    for (const CellCorner& corner : CornersOf(rest.Shapes[cell]))
+    {
+      Eigen::Matrix3d before;
+      Eigen::Matrix3d after;
+      bool same = true;
+      for (int k = 0; k < 4; ++k)
+      {
+        const int i = ids[corner[k]];
+        same = same && Q.row(i) == rest.P.row(i);
+        if (k > 0)
+        {
+          before.col(k - 1) = (P.row(i) - P.row(ids[corner[0]])).transpose();
+          after.col(k - 1) = (moved.row(i) - moved.row(ids[corner[0]])).transpose();
+        }
+      }
+      // |det E| J = sign(det E) E' adj E, for J = E' E^-1.
+      Eigen::Matrix3d adjugate;
+      adjugate.row(0) = before.col(1).cross(before.col(2)).transpose();
+      adjugate.row(1) = before.col(2).cross(before.col(0)).transpose();
+      adjugate.row(2) = before.col(0).cross(before.col(1)).transpose();
+      const double sign = adjugate.row(0).dot(before.col(0)) < 0.0 ? -1.0 : 1.0;
+      for (const int k : corner)
+      {
+        rotations[ids[k]] += sign * after * adjugate;
+        touched[ids[k]] |= same ? 0 : 1;
+      }
+    }
+  }
+  ParallelFor(static_cast<int>(n), threads,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        rotations[i] = touched[i] ? ClosestRotation(rotations[i].transpose())
+                                  : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+      }
+    });
+  return rotations;
 }
 
 std::vector<char> InvertedByBoundary(

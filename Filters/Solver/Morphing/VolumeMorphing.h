@@ -17,7 +17,8 @@ struct MorphedVolume
 };
 
 /// Where the displacements of the inner points are harmonic [harmonic]: the minimum of the integral
-/// of |grad u|^2 over the mesh at rest, by linear elements at the corners of the cells.
+/// of |grad u|^2 over the mesh at rest, by linear elements at the corners of the cells. By
+/// conjugate gradients, to about 1e-5 of the displacements.
 /// @param rest  as OrientCells left it; points of no cell stay in place
 /// @param isFixed  n flags: points that are given
 /// @param displacements  n x 3, length; those of other points do not count
@@ -26,13 +27,20 @@ Points HarmonicExtension(const VolumeMesh& rest, const std::vector<char>& isFixe
   const Points& displacements, int threads);
 
 /// Minimizes E = sum_c w_c psi(J_c) [untangle] over the inner points by Newton's method from
-/// HarmonicExtension. Exact for rigid motions of the boundary; nothing moves where nothing is
-/// displaced, to the bit. The same bits for any number of threads.
+/// HarmonicExtension, each step solved by conjugate gradients (BlockSystem). Exact for rigid
+/// motions of the boundary; nothing moves where nothing is displaced, to the bit. The same bits for
+/// any number of threads.
 ///
 /// Whether no cell is inverted is for the caller to see: the best points found are returned.
 /// @param callback  of each step @throw SolveAborted
 MorphedVolume MorphVolume(const VolumeMesh& rest, const std::vector<char>& isFixed,
   const Points& displacements, int threads, const Callback& callback = {});
+
+/// How much of the mesh at a point has turned [turn], for each point: the rotation closest to the
+/// sum of w_c J_c over the corners with that point. Corners that are flat at rest do not count; the
+/// identity where nothing does, and, to the bit, where no corner has moved.
+/// @param Q  n x 3, where the points are now
+Matrices VolumeRotations(const VolumeMesh& rest, const Points& Q, int threads);
 
 /// m flags: 1 for cells of which a corner is inverted and has no inner point: no motion of inner
 /// points changes that.

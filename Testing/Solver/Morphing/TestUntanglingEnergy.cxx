@@ -7,7 +7,10 @@
 #include "Meshes.h"
 #include "UntanglingEnergy.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+
+#include <limits>
 
 using namespace SphericalStyle;
 
@@ -59,17 +62,32 @@ void TestValue()
     UntanglingEnergy(J, 0.0), 6.0 / std::pow(2.0, 2.0 / 3.0) + 2.5, 1e-14, "diag(2, 1, 1)");
 }
 
+/// 9 x 9, of J column by column: x g^T with the axes as g.
+Eigen::Matrix<double, 9, 9> AllOf(const UntanglingHessian& H)
+{
+  Eigen::Matrix<double, 9, 9> all;
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int l = 0; l < 3; ++l)
+    {
+      all.block<3, 3>(3 * k, 3 * l) =
+        H.U * H.InAxes(H.V.row(k).transpose(), H.V.row(l).transpose()) * H.U.transpose();
+    }
+  }
+  return all;
+}
+
 void TestDerivatives()
 {
   Meshes::Random random(2);
   int inverted = 0;
+  int indefinite = 0;
   for (int k = 0; k < 200; ++k)
   {
     const double epsilon = k % 2 == 0 ? 1.0 : 0.05;
     const Eigen::Matrix3d J =
       k % 5 == 0 ? RandomRotation(random) : Eigen::Matrix3d(1.5 * random.Matrix());
     inverted += J.determinant() < 0.0;
-    const UntanglingHessian H = UntanglingSecondDerivative(J, epsilon);
     const Eigen::Matrix3d direction = random.Matrix();
     const double h = 1e-5;
     const Eigen::Matrix3d gradient = UntanglingGradient(J, epsilon);
@@ -78,22 +96,48 @@ void TestDerivatives()
       (2.0 * h);
     CHECK_NEAR(slope, gradient.cwiseProduct(direction).sum(),
       1e-5 * (1.0 + gradient.norm()) / epsilon, "slope");
-    const Eigen::Matrix3d change = (UntanglingGradient(J + h * direction, epsilon) -
-                                     UntanglingGradient(J - h * direction, epsilon)) /
-      (2.0 * h);
-    Eigen::Matrix3d product = Eigen::Matrix3d::Zero();
-    Eigen::Matrix<double, 9, 9> vectors;
+    Eigen::Matrix<double, 9, 9> differences;
     for (int q = 0; q < 9; ++q)
     {
-      product += H.Values[q] * H.Vectors[q].cwiseProduct(direction).sum() * H.Vectors[q];
-      vectors.col(q) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(H.Vectors[q].data());
+      Eigen::Matrix3d step = Eigen::Matrix3d::Zero();
+      step(q) = h;
+      const Eigen::Matrix3d change =
+        (UntanglingGradient(J + step, epsilon) - UntanglingGradient(J - step, epsilon)) / (2.0 * h);
+      differences.col(q) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(change.data());
     }
-    CHECK_NEAR((change - product).norm() / (1.0 + product.norm()), 0.0, 1e-5 / epsilon / epsilon,
-      "second derivative");
-    CHECK_NEAR((vectors.transpose() * vectors - Eigen::Matrix<double, 9, 9>::Identity()).norm(),
-      0.0, 1e-12, "orthonormal vectors");
+    const double size = 1.0 + differences.norm();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> exact(
+      0.5 * (differences + differences.transpose()));
+    const Eigen::Matrix<double, 9, 9> made =
+      AllOf(UntanglingSecondDerivative(J, epsilon, -std::numeric_limits<double>::infinity()));
+    CHECK_NEAR(
+      (made - differences).norm() / size, 0.0, 1e-5 / epsilon / epsilon, "second derivative");
+    // With its eigenvalues made positive.
+    const Eigen::Matrix<double, 9, 9> positive = AllOf(UntanglingSecondDerivative(J, epsilon, 0.0));
+    const Eigen::Matrix<double, 9, 9> expected = exact.eigenvectors() *
+      exact.eigenvalues().cwiseMax(0.0).asDiagonal() * exact.eigenvectors().transpose();
+    CHECK_NEAR(
+      (positive - expected).norm() / size, 0.0, 1e-5 / epsilon / epsilon, "positive eigenvalues");
+    indefinite += exact.eigenvalues()[0] < -1e-3 * size;
   }
   CHECK(inverted > 50, "many should be inverted, not " << inverted);
+  CHECK(indefinite > 50, "many should have a negative eigenvalue, not " << indefinite);
+}
+
+/// J without a middle axis, flat, a line, nothing: no numbers that are not finite.
+void TestDegenerate()
+{
+  for (const Eigen::Vector3d& s : { Eigen::Vector3d(1.0, 1.0, 0.0), Eigen::Vector3d(1.0, 0.0, 0.0),
+         Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(1.0, 1.0, -1.0),
+         Eigen::Vector3d(1.0, 1e-12, -1e-12) })
+  {
+    const UntanglingHessian H = UntanglingSecondDerivative(s.asDiagonal(), 0.1, 1e-8);
+    const Eigen::Matrix<double, 9, 9> all = AllOf(H);
+    CHECK(all.allFinite(), "finite at " << s.transpose());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> solver(all);
+    CHECK(solver.eigenvalues()[0] > 0.0, "positive at " << s.transpose());
+    CHECK_NEAR((H.U.transpose() * H.U - Eigen::Matrix3d::Identity()).norm(), 0.0, 1e-12, "axes");
+  }
 }
 }
 
@@ -103,5 +147,6 @@ int main()
   TestMinimum();
   TestValue();
   TestDerivatives();
+  TestDegenerate();
   return CheckResult();
 }
