@@ -10,17 +10,19 @@
 #include "pqPropertyWidgetDecorator.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
+#include "pqView.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkOutputWindow.h"
 #include "vtkPVDataInformation.h"
-#include "vtkSMParaViewPipelineController.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
+#include "vtkSMViewProxy.h"
 
 #include <QPointer>
 #include <QPushButton>
@@ -234,9 +236,10 @@ void pqProblem::extractSurface()
   vtkSmartPointer<vtkSMProxy> surface;
   surface.TakeReference(
     model->GetSessionProxyManager()->NewProxy("filters", "DataSetSurfaceFilter"));
-  vtkNew<vtkSMParaViewPipelineController> controller;
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
   controller->PreInitializeProxy(surface);
-  vtkSMPropertyHelper(surface, "Input").Set(model, input.GetOutputPort());
+  const int port = static_cast<int>(input.GetOutputPort());
+  vtkSMPropertyHelper(surface, "Input").Set(model, port);
   controller->PostInitializeProxy(surface);
   surface->UpdateVTKObjects();
   controller->RegisterPipelineProxy(surface);
@@ -249,6 +252,11 @@ void pqProblem::extractSurface()
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", item->getProxy());
     vtkSMPropertyHelper(item->getProxy(), "Input").Set(surface, 0);
     item->getProxy()->UpdateVTKObjects();
+  }
+  // As Apply does it with the input of what it shows.
+  if (vtkSMViewProxy* smview = this->view() ? this->view()->getViewProxy() : nullptr)
+  {
+    controller->Hide(model, port, smview);
   }
   item->getProxy()
     ->GetSessionProxyManager()
