@@ -194,6 +194,10 @@ void vtkMeshMorphingFilter::SetSurfaceData(vtkPolyData* surface)
 int vtkMeshMorphingFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(INPUT_REQUIRED_DATA_TYPE(), port == SURFACE ? "vtkPolyData" : "vtkDataSet");
+  if (port == SURFACE)
+  {
+    info->Set(INPUT_IS_OPTIONAL(), 1); // Execute says in words that it is missing
+  }
   return 1;
 }
 
@@ -249,7 +253,13 @@ int vtkMeshMorphingFilter::Execute(
   {
     throw std::invalid_argument("more than " + std::to_string(MostPoints) + " points");
   }
-  if (!surface || surface->GetNumberOfPoints() == 0)
+  if (!surface)
+  {
+    throw std::invalid_argument(
+      "Surface: choose what Spherical Style makes of Extract Surface of this mesh, "
+      "so that the mesh can follow it");
+  }
+  if (surface->GetNumberOfPoints() == 0)
   {
     throw std::invalid_argument("Surface: it has no points; take the surface of the input, rounded "
                                 "(Extract Surface, then Spherical Style)");

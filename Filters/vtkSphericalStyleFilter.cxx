@@ -30,6 +30,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -114,6 +115,7 @@ struct vtkSphericalStyleFilter::Execution
   SphericalStyle::StyleReport Report;
   vtkFoldGuard::Result Guarded; // empty without the guard
   Points Q;                     // the moved points; none where there is nothing to solve
+  bool HasTimeSteps = false;    // of the model: more than one
 
   const vtkSurfaceMesh& Surface() const { return *this->Model.Surface; }
   const SphericalStyle::SurfacePart& Part() const { return this->Surface().Part; }
@@ -435,6 +437,8 @@ int vtkSphericalStyleFilter::Execute(vtkInformationVector** inputVector,
   }
 
   this->CheckProperties();
+  e.HasTimeSteps = inputVector[MODEL]->GetInformationObject(0)->Length(
+                     vtkStreamingDemandDrivenPipeline::TIME_STEPS()) > 1;
   const std::shared_ptr<Internals> internal = this->Internal; // ReleaseCache may come meanwhile
   this->Take(inputVector, *internal, processes, e);
   if (e.HasTriangles())
@@ -513,6 +517,13 @@ void vtkSphericalStyleFilter::Take(vtkInformationVector** inputVector, Internals
     {
       throw std::invalid_argument(
         "With a rest pose, AvoidSelfIntersections and ReproduceThesis must be off");
+    }
+    if (e.HasTimeSteps &&
+      this->GetInputConnection(REST_POSE, 0) == this->GetInputConnection(MODEL, 0))
+    {
+      Warn(this,
+        "RestPose is the model itself, which changes over time, and so it does nothing: give it "
+        "one time step of the model, as Force Time makes it in ParaView");
     }
     model = vtkRestPose::AtRest(model, rest);
   }
@@ -670,8 +681,9 @@ void vtkSphericalStyleFilter::SetFacts(const Execution& e)
 
 void vtkSphericalStyleFilter::Review(Internals& internal, const Execution& e)
 {
-  for (const std::string& warning : vtkStyleReview::Warnings(
-         e.Surface(), e.Options, e.Report, { this->ReproduceThesis, this->GenerateCellEnergy }))
+  for (const std::string& warning : vtkStyleReview::Warnings(e.Surface(), e.Options, e.Report,
+         { this->ReproduceThesis, this->GenerateCellEnergy,
+           vtkStyleArrays::TakesActiveNormals(this) }))
   {
     Warn(this, e.IsFirst() ? warning : "");
   }
@@ -687,6 +699,13 @@ void vtkSphericalStyleFilter::Review(Internals& internal, const Execution& e)
   Warn(this, remarks.Thinned);
   this->Advice =
     this->ReproduceThesis || !e.IsFirst() ? "" : remarks.Advice; // the thesis is to be as it is
+  if (this->Advice.empty() && e.HasTimeSteps && !e.Rest && !this->ReproduceThesis && e.IsFirst() &&
+    this->Roundness > 0.0)
+  {
+    this->Advice =
+      "The model has time steps. If it moves, give RestPose (an advanced property) one "
+      "of them, as Force Time makes it: then the result does not jitter";
+  }
   this->AdviceTime.Modified();
 }
 

@@ -9,9 +9,11 @@
 #include "vtkRoundnessTargets.h"
 #include "vtkSphericalStyleFilter.h"
 
+#include "vtkCommand.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -35,6 +37,13 @@ bool IsGLTFName(std::string name)
       name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
   };
   return ends(".glb") || ends(".gltf");
+}
+
+/// Whether a filter that moves points has made it.
+bool IsRounded(vtkPolyData* model)
+{
+  return model->GetPointData()->HasArray("Displacement") &&
+    model->GetPointData()->HasArray("TargetDirection");
 }
 
 /// Calls, with the name of the file before messages.
@@ -144,12 +153,13 @@ void vtkStyleGLTFWriter::Execute(vtkPolyData* input)
   {
     throw std::runtime_error("the model has no faces");
   }
-  else if (input->GetPointData()->HasArray("Displacement") &&
-    input->GetPointData()->HasArray("TargetDirection"))
+  double slider = vtkRoundnessTargets::SliderOf(this->Style->GetRoundness());
+  if (!this->SourceFileName && IsRounded(input))
   {
-    vtkWarningMacro(
-      "the model has arrays of a result, so it seems to be rounded already; the slider "
-      "belongs to the model that the result was made from");
+    slider = 0.0;
+    this->Note("the model is rounded already: the file shows it as it looks, with the slider at 0, "
+               "and the slider rounds it further. For a slider that starts at the original, write "
+               "the model that it was made from");
   }
   const vtkRoundnessTargets::Targets targets =
     vtkRoundnessTargets::Make(input, this->Style, options);
@@ -164,14 +174,26 @@ void vtkStyleGLTFWriter::Execute(vtkPolyData* input)
       {
         scene = vtkGLTFScene::FromSurface(document, targets.Model);
       }
-      vtkGLTFTargets::Add(
-        document, scene, targets, vtkRoundnessTargets::SliderOf(this->Style->GetRoundness()));
+      vtkGLTFTargets::Add(document, scene, targets, slider);
     });
   Naming(this->FileName, [&] { document.Write(this->FileName); });
   this->NumberOfTargets = static_cast<int>(targets.All.size());
   this->LargestError = targets.Error;
   this->LargestJump = targets.Jump;
   this->Linear = targets.Linear;
+}
+
+/// To those who listen to warnings, else to the output window as plain text: nothing is wrong.
+void vtkStyleGLTFWriter::Note(const char* text)
+{
+  if (this->HasObserver(vtkCommand::WarningEvent))
+  {
+    this->InvokeEvent(vtkCommand::WarningEvent, const_cast<char*>(text));
+  }
+  else
+  {
+    vtkOutputWindowDisplayText((std::string(this->FileName) + ": " + text + "\n").c_str());
+  }
 }
 
 void vtkStyleGLTFWriter::PrintSelf(ostream& os, vtkIndent indent)

@@ -8,7 +8,7 @@
  * keys, game engines as blend shapes, browsers as morph targets. Their weights round the model as
  * far as wanted, without the filter.
  *
- * Input: vtkPolyData, the model, not a rounded one. Its triangles are written (polygons and strips
+ * Input: vtkPolyData, the model. Its triangles are written (polygons and strips
  * are cut), its normals, or computed ones, texture coordinates, and colors: the active point
  * scalars of 3 or 4 components, bytes or numbers in 0..1, or else the first point array of 3 or 4
  * bytes. Axes and unit are those of the model, as VTK's writer does it. What the Style refines
@@ -24,7 +24,10 @@
  * extras: between two places the weight passes from one target to the next, as in the animation
  * Roundness, which moves the slider from 0 to MaximumRoundness.
  *
- * When the file is opened, the slider is at the Roundness of the Style.
+ * When the file is opened, the slider is at the Roundness of the Style. If the input is the result
+ * of a filter that moves points (it has the point arrays Displacement and TargetDirection), the
+ * slider is at 0, so that the file shows it as it looks, and a note says so: a WarningEvent where
+ * somebody observes those of the writer, else text in the output window.
  *
  * Errors: no FileName, an ending other than .glb and .gltf, what the Style refuses, a source that
  * is not glTF 2.0, whose meshes are compressed or whose numbers lead out of it, or which refers to
@@ -134,6 +137,7 @@ private:
 
   /// @throw std::exception saying why there is no file
   void Execute(vtkPolyData* input);
+  void Note(const char* text);
 
   char* FileName = nullptr;
   char* SourceFileName = nullptr;

@@ -39,7 +39,8 @@ pqPresets::pqPresets(vtkSMProxy* smproxy, vtkSMPropertyGroup*, QWidget* parentWi
   layout->addWidget(this->List);
   layout->addWidget(this->Description);
   this->List->setObjectName("List");
-  this->List->setToolTip(tr("Sets the properties below to values that go well together."));
+  this->setToolTip(tr("Sets the properties below to values that go well together."));
+  this->List->setToolTip(this->toolTip());
   this->List->setFocusPolicy(Qt::StrongFocus);
   this->List->installEventFilter(this);
   this->Description->setObjectName("Description");

@@ -10,17 +10,23 @@
 #include "pqPropertyWidgetDecorator.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
+#include "pqView.h"
+#include "vtkAlgorithm.h"
 #include "vtkCommand.h"
+#include "vtkExecutive.h"
 #include "vtkNew.h"
 #include "vtkOutputWindow.h"
 #include "vtkPVDataInformation.h"
-#include "vtkSMParaViewPipelineController.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMProperty.h"
+#include "vtkSMPropertyGroup.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
+#include "vtkSMViewProxy.h"
 
 #include <QPointer>
 #include <QPushButton>
@@ -28,6 +34,8 @@
 #include <QStringList>
 #include <QTimer>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace
 {
@@ -78,7 +86,7 @@ private:
   bool Visible = false;
 };
 
-pqProblem::pqProblem(vtkSMProxy* smproxy, vtkSMPropertyGroup*, QWidget* parentWidget)
+pqProblem::pqProblem(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parentWidget)
   : pqPropertyWidget(smproxy, parentWidget)
   , Note(new pqNote(this))
   , Button(new QPushButton(tr("Extract Surface"), this))
@@ -100,8 +108,22 @@ pqProblem::pqProblem(vtkSMProxy* smproxy, vtkSMPropertyGroup*, QWidget* parentWi
   {
     this->Observers.add(vtkOutputWindow::GetInstance(), event, this, &pqProblem::hear);
   }
-  if (auto* filter = vtkObject::SafeDownCast(smproxy->GetClientSideObject()))
+  vtkPVXMLElement* hints = smgroup->GetHints();
+  this->AnyDataSet = hints && hints->FindNestedElementByName("AnyDataSet");
+  if (vtkPVXMLElement* xml = hints ? hints->FindNestedElementByName("Required") : nullptr)
   {
+    this->Required = smproxy->GetProperty(xml->GetAttributeOrEmpty("property"));
+    this->MissingText = xml->GetAttributeOrEmpty("text");
+    for (const auto event :
+      { vtkCommand::ModifiedEvent, vtkCommand::UncheckedPropertyModifiedEvent })
+    {
+      this->Observers.add(this->Required, event, this, &pqProblem::updateText);
+    }
+  }
+  if (auto* filter = vtkAlgorithm::SafeDownCast(smproxy->GetClientSideObject()))
+  {
+    this->Observers.add(
+      filter->GetExecutive(), vtkCommand::ErrorEvent, this, &pqProblem::hearPipeline);
     this->Observers.add(filter, vtkCommand::StartEvent, this, &pqProblem::begin);
     this->Observers.add(filter, vtkCommand::EndEvent, this, &pqProblem::end);
   }
@@ -144,6 +166,19 @@ void pqProblem::hear(vtkObject*, unsigned long event, void* text)
   }
   this->Messages.push_back({ match.captured(2).trimmed(), event == vtkCommand::ErrorEvent });
   this->updateLater();
+}
+
+/// VTK's pipeline says of a filter that failed only that it did: not again where the filter has
+/// said why.
+void pqProblem::hearPipeline(vtkObject*, unsigned long, void* text)
+{
+  const auto* words = static_cast<const char*>(text);
+  const bool known = std::any_of(this->Messages.begin() + static_cast<std::ptrdiff_t>(this->Old),
+    this->Messages.end(), [](const Message& message) { return message.IsError; });
+  if (!known || !QString(words).contains("returned failure for request"))
+  {
+    vtkOutputWindow::GetInstance()->DisplayErrorText(words);
+  }
 }
 
 void pqProblem::begin()
@@ -189,7 +224,7 @@ void pqProblem::updateText()
   {
     this->Note->setText(text);
     this->Note->setSerious(serious);
-    this->Button->setVisible(IsNoSurface(KnownData(this->proxy())));
+    this->Button->setVisible(!this->AnyDataSet && IsNoSurface(KnownData(this->proxy())));
   }
   this->Shown->setVisible(!text.isEmpty());
 }
@@ -197,12 +232,21 @@ void pqProblem::updateText()
 /// Empty if there is none that can be seen without executing the filter.
 QString pqProblem::problemOfInput() const
 {
+  if (this->Required)
+  {
+    vtkSMPropertyHelper chosen(this->Required);
+    chosen.SetUseUnchecked(true);
+    if (chosen.GetNumberOfElements() == 0 || !chosen.GetAsProxy())
+    {
+      return this->MissingText;
+    }
+  }
   vtkPVDataInformation* data = KnownData(this->proxy());
   if (!data || data->IsNull())
   {
     return {};
   }
-  if (IsNoSurface(data))
+  if (!this->AnyDataSet && IsNoSurface(data))
   {
     return tr("The input is not a surface but of the type %1. Take its outer surface first, or a "
               "surface inside of it with Contour.")
@@ -212,10 +256,11 @@ QString pqProblem::problemOfInput() const
   {
     return tr("The input is empty: it has no points.");
   }
-  if (data->GetNumberOfCells() == 0)
+  if (!this->AnyDataSet && data->GetNumberOfCells() == 0)
   {
-    return tr("The input has points but no faces, so there is nothing to round. Make a surface of "
-              "it first, for example with Delaunay 3D and Extract Surface.");
+    return tr(
+      "This is a point cloud: it has no faces, so there is nothing to round. Make a surface "
+      "of it first, for instance with Delaunay 3D and Extract Surface.");
   }
   return {};
 }
@@ -234,9 +279,10 @@ void pqProblem::extractSurface()
   vtkSmartPointer<vtkSMProxy> surface;
   surface.TakeReference(
     model->GetSessionProxyManager()->NewProxy("filters", "DataSetSurfaceFilter"));
-  vtkNew<vtkSMParaViewPipelineController> controller;
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
   controller->PreInitializeProxy(surface);
-  vtkSMPropertyHelper(surface, "Input").Set(model, input.GetOutputPort());
+  const int port = static_cast<int>(input.GetOutputPort());
+  vtkSMPropertyHelper(surface, "Input").Set(model, port);
   controller->PostInitializeProxy(surface);
   surface->UpdateVTKObjects();
   controller->RegisterPipelineProxy(surface);
@@ -249,6 +295,11 @@ void pqProblem::extractSurface()
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", item->getProxy());
     vtkSMPropertyHelper(item->getProxy(), "Input").Set(surface, 0);
     item->getProxy()->UpdateVTKObjects();
+  }
+  // As Apply does it with the input of what it shows.
+  if (vtkSMViewProxy* smview = this->view() ? this->view()->getViewProxy() : nullptr)
+  {
+    controller->Hide(model, port, smview);
   }
   item->getProxy()
     ->GetSessionProxyManager()

@@ -9,6 +9,13 @@
 ///       <Property name="FinalEnergy"/>
 ///     </PropertyGroup>
 ///
+/// For a filter of all kinds of data, and of a second input that has to be there, the group has
+///
+///       <Hints>
+///         <AnyDataSet/>
+///         <Required property="Surface" text="what to say where it is not"/>
+///       </Hints>
+///
 /// The property is there for its place in the panel, see pqPresets.h. In XML the input of the
 /// filter has to accept every vtkDataSet: otherwise ParaView does not even open the panel, and does
 /// not say why.
@@ -17,6 +24,7 @@
 
 #include "pqObservers.h"
 #include "pqPropertyWidget.h"
+#include "vtkSmartPointer.h"
 
 #include <vector>
 
@@ -39,6 +47,7 @@ private:
 
   void watchInput();
   void hear(vtkObject* window, unsigned long event, void* text);
+  void hearPipeline(vtkObject* executive, unsigned long event, void* text);
   void begin();
   void end();
   void updateLater();
@@ -46,6 +55,9 @@ private:
   QString problemOfInput() const;
   void extractSurface();
 
+  bool AnyDataSet = false;
+  vtkSmartPointer<vtkSMProperty> Required;
+  QString MissingText;
   pqNote* Note;
   QPushButton* Button;
   Visibility* Shown;

@@ -7,8 +7,11 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+
+#include <string>
 
 namespace Conversion = vtkSurfaceMeshConversion;
 
@@ -33,6 +36,12 @@ void SetDefaults(vtkAlgorithm* self)
   {
     self->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
   }
+}
+
+bool TakesActiveNormals(vtkAlgorithm* self)
+{
+  const char* name = self->GetInputArrayInformation(NORMALS)->Get(vtkDataObject::FIELD_NAME());
+  return !name || !*name || std::string(name) == "None";
 }
 
 void Read(vtkAlgorithm* self, const vtkSurfaceMesh& surface, vtkPolyData* model,

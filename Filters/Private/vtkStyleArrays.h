@@ -32,6 +32,9 @@ enum InputArrays
 /// For constructors: the active normals, and no other array.
 void SetDefaults(vtkAlgorithm* self);
 
+/// Whether normals are those of the model and not of an array that was chosen.
+bool TakesActiveNormals(vtkAlgorithm* self);
+
 /// One row per point of the solve and array into the options, no row where no array was chosen.
 /// Normals are read only where the blend of some point needs them.
 /// @param o  with the properties of the filter set @param centers  or nullptr

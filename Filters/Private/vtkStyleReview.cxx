@@ -3,6 +3,7 @@
 #include "vtkStyleReview.h"
 
 #include "SurfaceGrid.h"
+#include "SurfaceMeasures.h"
 #include "vtkFilterSupport.h"
 #include "vtkStyleHistory.h"
 #include "vtkTargetSphere.h"
@@ -35,6 +36,56 @@ std::vector<int> EveryFew(int n)
   return points;
 }
 
+/// Cosine of 60 degrees; and the share of the area from which on it is worth a word.
+constexpr double NormalOff = 0.5;
+constexpr double OffShare = 0.1;
+
+/// Normals that do not fit the surface, as some programs write them for one side of a box. Those of
+/// a surface that is inside out fit if all are turned.
+std::string NormalsRemark(const vtkSurfaceMesh& surface, const Points& normals)
+{
+  const TriangleMesh& mesh = surface.Mesh;
+  const Points own = PointNormals(mesh.P, mesh.F, surface.Part);
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.P.rows());
+  const Eigen::VectorXd ofTriangles = TriangleAreas(mesh.P, mesh.F);
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      areas(mesh.F(f, k)) += ofTriangles(f) / 3.0;
+    }
+  }
+  Eigen::VectorXd cosines = own.cwiseProduct(normals).rowwise().sum();
+  cosines *= surface.Part.Sum(areas.dot(cosines)) < 0.0 ? -1.0 : 1.0;
+  double off = 0.0;
+  Eigen::Index first = -1;
+  for (Eigen::Index i = 0; i < cosines.size(); ++i)
+  {
+    // 0 is no direction
+    if (cosines(i) < NormalOff && !normals.row(i).isZero(0.0) && !own.row(i).isZero(0.0))
+    {
+      off += areas(i);
+      first = first < 0 ? i : first;
+    }
+  }
+  const double share = surface.Part.Sum(off) / surface.Part.Sum(areas.sum());
+  if (!(share > OffShare))
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << "the normals of the model do not fit its surface: on " << std::lround(100.0 * share)
+       << " % of the area they are off by more than 60 degrees";
+  if (surface.Part.IsWhole())
+  {
+    text << ", the first at point " << surface.FirstInputPoint(static_cast<int>(first));
+  }
+  text << ", and the result follows them where it is rounded limb by limb (NormalBlend). A "
+          "DetailSize above 0 does without them, and Generate Surface Normals in ParaView, "
+          "vtkPolyDataNormals in VTK, makes new ones";
+  return text.str();
+}
+
 /// With directions from one center the closed form [blend] brings no two points nearer than to
 /// 1 / (1 + sqrt(3) lambda) of their distance, but for the size of a triangle.
 bool CannotThin(const MethodOptions& o, const StyleReport& report)
@@ -58,6 +109,11 @@ std::vector<std::string> vtkStyleReview::Warnings(const vtkSurfaceMesh& surface,
     warnings.push_back(vtkTargetSphere::VolumeRemark("the surface", surface.Mesh, surface.Part));
   }
   warnings.push_back(vtkTargetSphere::OnCenter(report.pointsOnCenter, surface));
+  if (request.OwnNormals && o.detailSize == 0.0 &&
+    surface.Part.Max(o.normals.rows() > 0 ? 1.0 : 0.0) > 0.0)
+  {
+    warnings.push_back(NormalsRemark(surface, o.normals));
+  }
   if (request.CellEnergy && report.closedForm)
   {
     warnings.emplace_back(

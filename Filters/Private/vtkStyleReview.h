@@ -25,6 +25,7 @@ public:
   {
     bool Thesis = false;     ///< ReproduceThesis
     bool CellEnergy = false; ///< GenerateCellEnergy
+    bool OwnNormals = false; ///< those of the model, not an array that the user has chosen
   };
 
   // Of a surface that is spread over processes all of them call both functions, and say the same.

@@ -1225,7 +1225,13 @@ std::vector<std::string> Remarks(const vtkSurfaceMesh& surface)
   std::vector<std::string> remarks;
   if (surface.Part.Max(surface.Mesh.F.rows() > 0 ? 1.0 : 0.0) == 0.0)
   {
-    remarks.emplace_back("the input has no triangle with an area: nothing moves");
+    std::string remark = "the input has no triangle with an area: nothing moves";
+    if (surface.DegenerateTriangles == 0)
+    {
+      remark += ". If it is a point cloud, make a surface of it first, for instance with Delaunay "
+                "3D and Extract Surface";
+    }
+    remarks.push_back(std::move(remark));
   }
   if (const std::string fanned = FannedRemark(surface); !fanned.empty())
   {

@@ -24,16 +24,17 @@ class Slider(NamedTuple):
 
 def write_slider(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.001, maximum_targets=32,
                  **properties):
-    """Writes a model, not yet rounded, as .glb or .gltf with morph targets that round it: a slider in Blender, in a game
+    """Writes a model as .glb or .gltf with morph targets that round it: a slider in Blender, in a game
     engine or in a browser. Nothing is left of a file that existed.
 
     mesh: of any kind that sphericalstyle.round takes, or the path of a model. That of a .glb or .gltf is copied with
     the targets added, and keeps textures, materials, skins, other targets and animations.
 
-    preset and other keywords are those of sphericalstyle.round. The slider is at roundness when the file is opened. With
-    detail_size=0 and keep_size="Off" there is one target, named Roundness, whose weight w is any roundness
-    w / (1 - w) / sqrt(3). Otherwise there are some from 0 to maximum_roundness, so many that between them no point is
-    farther from the filter's result than tolerance, a share of the model's diagonal, but no more than maximum_targets.
+    preset and other keywords are those of sphericalstyle.round. The slider is at roundness when the file is opened,
+    and at 0, with a StyleWarning, if the mesh is a result of sphericalstyle.round: the file shows it as it looks. With
+    detail_size=0 and keep_size="Off" there is one target, named Roundness, whose weight w is any roundness w / (1 - w)
+    / sqrt(3). Otherwise there are some from 0 to maximum_roundness, so many that between them no point is farther from
+    the filter's result than tolerance, a share of the model's diagonal, but no more than maximum_targets.
 
     Returns a Slider(targets, error, jump, linear). Raises what sphericalstyle.round raises, and a sphericalstyle.Error that
     says why if the file cannot be written.

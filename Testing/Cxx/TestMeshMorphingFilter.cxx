@@ -444,6 +444,8 @@ void TestErrors(Checker& check)
     { "quadratic", quadratic, good, { "cell 1", "vtkQuadraticTetra", "Tetrahedralize" } });
   all.push_back(
     { "no array", cube, Without(good), { "Surface:", "Displacement", "Spherical Style" } });
+  all.push_back(
+    { "no surface", cube, nullptr, { "Surface: choose", "Spherical Style", "Extract Surface" } });
   all.push_back({ "no points", cube, Surface::New(), { "Surface:", "no points" } });
   const Surface other = Moved(SurfaceOf(MakeCube(2, VTK_HEXAHEDRON)), Rigid);
   all.push_back(

@@ -5,6 +5,7 @@
 #include "FilterTesting.h"
 
 #include "vtkCubeSource.h"
+#include "vtkDoubleArray.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
@@ -103,6 +104,51 @@ void WallsStay(Checker& check)
   }
 }
 
+/// Those of a ball that point along its axis only are off by more than 60 degrees where |z| is less
+/// than half the radius: at the 20 rings in the middle of 60, which stand for the zone from 60.5 to
+/// 119.5 degrees, cos 60.5 = 49 % of the area.
+void NormalsThatDoNotFit(Checker& check)
+{
+  const Surface ball = MakeEllipsoid({ 1.0, 1.0, 1.0 }, Faces::Triangles, 60, 60);
+  const auto expect = [&](const char* about, double side, bool axis, double detailSize,
+                        double normalBlend, bool warns)
+  {
+    check.About(about);
+    vtkNew<vtkDoubleArray> normals;
+    normals->SetName("Given");
+    normals->SetNumberOfComponents(3);
+    for (vtkIdType i = 0; i < ball->GetNumberOfPoints(); ++i)
+    {
+      const Vector p = PointOf(ball, i);
+      axis ? normals->InsertNextTuple3(0.0, 0.0, p[2] < 0.0 ? -side : side)
+           : normals->InsertNextTuple3(side * p[0], side * p[1], side * p[2]);
+    }
+    ball->GetPointData()->SetNormals(normals);
+    WatchedFilter filter(ball);
+    filter->SetDetailSize(detailSize);
+    filter->SetNormalBlend(normalBlend);
+    filter.Output();
+    check(filter.Warnings.size() == (warns ? 1 : 0), "there should be a warning, or none");
+    for (const char* part : { "on 49 % of the area", "the first at point ", "DetailSize above 0",
+           "Generate Surface Normals" })
+    {
+      check(!warns || filter.Warnings.empty() || Contains(filter.Warnings[0], part),
+        std::string("it should say ") + part + ": " + (warns ? filter.Warnings[0] : ""));
+    }
+    filter.Warnings.clear();
+    filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Given");
+    filter.Output();
+    check(filter.Warnings.empty(), "what the user has chosen is not advised against");
+  };
+  expect("normals along an axis", 1.0, true, 0.0, 0.6, true);
+  expect("the same inward", -1.0, true, 0.0, 0.6, true);
+  expect("the same with details", 1.0, true, 0.06, 0.6, false);
+  expect("the same that are not needed", 1.0, true, 0.0, 0.0, false);
+  expect("normals of the ball", 1.0, false, 0.0, 0.6, false);
+  expect("the same inward", -1.0, false, 0.0, 0.6, false);
+  expect("no normals", 0.0, false, 0.0, 0.6, false);
+}
+
 /// That of the method; it must be that of the table and of PrintSelf too.
 std::string AdviceOf(Checker& check, WatchedFilter& filter)
 {
@@ -198,6 +244,7 @@ int TestSphericalStyleFilterAdvice(int, char*[])
   Checker check;
   Thinned(check);
   WallsStay(check);
+  NormalsThatDoNotFit(check);
   Advice(check);
   return check.Result();
 }

@@ -234,6 +234,35 @@ void TimeSteps(Checker& check)
   check(filter.Starts.size() == starts, "the same time again should not execute");
 }
 
+/// A model that changes over time is told of the rest pose, unless it has one; and its own is none.
+void RestPoseOverTime(Checker& check)
+{
+  vtkNew<vtkGrowingEllipsoid> source;
+  Tested filter;
+  filter->SetRefineLongEdgesToOn(); // what else would be advised
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->UpdateTimeStep(1.0);
+  check.About("no rest pose");
+  check(Contains(filter->GetAdvice(), "RestPose"),
+    "it should be advised, not '" + std::string(filter->GetAdvice()) + "'");
+  check(filter.Warnings.empty(), "nothing is wrong");
+  check.About("the rest pose of time 0");
+  filter->SetRestPoseData(vtkGrowingEllipsoid::Shape(0.0));
+  filter->UpdateTimeStep(2.0);
+  check(std::string(filter->GetAdvice()).empty(), "it was followed");
+  check(filter.Warnings.empty(), "nothing is wrong");
+  check.About("the model as its rest pose");
+  filter->SetRestPoseConnection(source->GetOutputPort());
+  filter->UpdateTimeStep(1.0);
+  check(filter.Warnings.size() == 1 && Contains(filter.Warnings[0], "Force Time"),
+    "a warning should say so");
+  check.About("one that does not change, as its rest pose");
+  Tested still(vtkGrowingEllipsoid::Shape(0.0));
+  still->SetRestPoseConnection(still->GetInputConnection(0, 0));
+  still.Output();
+  check(still.Warnings.empty() && still.Errors.empty(), "that is its rest pose");
+}
+
 /// Time spent to order and to factor the matrix; exactly 0 where the factor was kept.
 double SecondsToFactor(vtkSphericalStyleFilter* filter)
 {
@@ -268,6 +297,7 @@ int TestSphericalStyleFilterPipelines(int argc, char* argv[])
   IntersectionWithModel(check, argc, argv);
   Chain(check, argc, argv);
   FactorIsKept(check);
+  RestPoseOverTime(check);
   WithEach({ { "energy", SetUpUniform }, { "defaults", SetUpDefaults } },
     [&]
     {

@@ -154,7 +154,14 @@ with open(os.path.join(os.path.dirname(sys.argv[2]), "SphericalStyle.md"), encod
 assert {name: [float(value) for value in values] for name, *values in rows} == {
     name: [preset.properties[property_] for property_ in ("Roundness", "NormalBlend", "DetailSize")]
     for name, preset in presets.PRESETS.items()}, "the table of the page"
-for name in presets.PRESETS:
+for name in presets.PRESETS:  # what they are is not advised against
+    for model in ("creature.vtp", "snowman.vtp"):
+        style = ss.vtkSphericalStyleFilter()
+        presets.apply(style, name)
+        style.SetInputData(read(model))
+        style.Update()
+        advised = style.GetAdvice().partition(" ")[0]
+        assert advised not in presets.PRESETS[name].properties, (name, model, style.GetAdvice())
     assert same(points(ss.round(creature, preset=name)),
                 points(filtered(creature, lambda style: presets.apply(style, name)))), name
 assert same(points(ss.round(creature, preset="Ball", roundness=1.2)),

@@ -181,6 +181,21 @@ style.Update()
 assert style.GetInput() is creature and style.GetRoundness() == 0.7 and not style.GetGenerateNormals()
 assert (points(style.GetOutput()) == before).all()
 
+# --------------------------------------------------------------------------------------------------- rounded already
+# The file shows it as it looks, whatever Roundness was asked for, and a note says so. The slider rounds it further.
+result = ss.round(creature)
+for keywords in (dict(roundness=2, tolerance=0.01), dict(roundness=2, **plain)):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        slider, root, binary = write("again.glb", result, **keywords)
+    mesh = root["meshes"][0]
+    assert mesh["weights"] == [0.0] * slider.targets, mesh["weights"]
+    P = GLTFFiles.points(root, binary, mesh["weights"])
+    assert largest(P, points(result)) < 1e-6 * diagonal(P)
+    assert largest(GLTFFiles.points(root, binary, np.eye(slider.targets)[-1]), P) > 0.01 * diagonal(P)
+    said = [str(w.message) for w in caught if "rounded already" in str(w.message)]
+    assert len(said) == 1 and "slider at 0" in said[0], said
+
 # ------------------------------------------------------------------------------------------- targets for other files
 PNG = bytes.fromhex("89504e470d0a1a0a0000000d4948445200000001000000010802000000907753de0000000c49444154789c63f8cfc000"
                     "0003010100c9fe92ef0000000049454e44ae426082")

@@ -8,9 +8,11 @@ import os
 import sys
 
 import GLTFFiles
+import numpy as np
 import sphericalstyle
 from paraview import servermanager
-from paraview.simple import LoadPlugin, OpenDataFile, SaveData
+from paraview.simple import LoadPlugin, OpenDataFile, SaveData, SphericalStyle
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 plugin, data, folder = sys.argv[1:]
 LoadPlugin(plugin, remote=False, ns=globals())
@@ -32,6 +34,16 @@ SaveData(some, proxy=model, MaximumRoundness=2.0, Tolerance=0.01)
 root, binary = GLTFFiles.load(some)
 told = root["meshes"][0]["extras"]["sphericalStyle"]
 assert abs(told["places"][-1] - w) < 1e-12 and told["largestError"] < 0.01, told
+
+# What is rounded already is opened as it looks.
+style = SphericalStyle(Input=model)
+again = os.path.join(folder, "SaveDataAgain.glb")
+SaveData(again, proxy=style, MaximumRoundness=2.0, Tolerance=0.01)
+root, binary = GLTFFiles.load(again)
+mesh = root["meshes"][0]
+assert mesh["weights"] == [0.0] * len(mesh["weights"]), mesh["weights"]
+looks = vtk_to_numpy(servermanager.Fetch(style).GetPoints().GetData())
+assert np.allclose(GLTFFiles.points(root, binary, mesh["weights"]), looks, rtol=0, atol=1e-6)
 
 # The defaults are those of the classes.
 proxy, writer = servermanager.ProxyManager().NewProxy("writers", "StyleGLTFWriter"), sphericalstyle.vtkStyleGLTFWriter()

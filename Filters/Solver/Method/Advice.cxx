@@ -38,8 +38,6 @@ constexpr double PanelLimit = 0.5;
 /// Prisms have all of their curvature in corners, plates with round holes a third, round bodies of
 /// coarse panels none.
 constexpr double CornerLimit = 0.25;
-/// Less than that and a face is no longer read: lambda 1.2 with one center.
-constexpr double ReliefLimit = 1.0 / 3.0;
 
 // What is advised.
 
@@ -148,45 +146,6 @@ bool ManyTurned(const TriangleMesh& mesh, const SurfacePart& part, const Points&
       return { normal(mesh.P, f).dot(normal(Q, f)) < 0.0 ? 1.0 : 0.0, 1.0, 0.0, 0.0 };
     });
   return sums[0] >= TurnedOverLimit * sums[1];
-}
-
-/// Half-edges within the part of one center.
-double MeasureRelief(const TriangleMesh& mesh, const SurfacePart& part, const Points& Q,
-  const StyleOptions& o, const StyleReport& report)
-{
-  const auto center = [&o](int i) { return o.centerIds.empty() ? 0 : o.centerIds[i]; };
-  const auto distances = [&](const Points& x)
-  {
-    Eigen::VectorXd distance(x.rows());
-    ParallelFor(static_cast<int>(x.rows()), o.threads,
-      [&](int begin, int end)
-      {
-        for (int i = begin; i < end; ++i)
-        {
-          distance(i) = (x.row(i).transpose() - report.spheres[center(i)].center).norm();
-        }
-      });
-    return distance;
-  };
-  const Eigen::VectorXd before = distances(mesh.P);
-  const Eigen::VectorXd after = distances(Q);
-  const Sums sums = SumTriangles(mesh, part, 1, o.threads,
-    [&](int f)
-    {
-      Sums sum = Sums::Zero();
-      for (int k = 0; k < 3; ++k)
-      {
-        const int u = mesh.F(f, HalfEdgeStart(k));
-        const int v = mesh.F(f, HalfEdgeEnd(k));
-        if (center(u) == center(v))
-        {
-          sum[0] += (before(u) - before(v)) * (before(u) - before(v));
-          sum[1] += (after(u) - after(v)) * (after(u) - after(v));
-        }
-      }
-      return sum;
-    });
-  return sums[0] > 0.0 ? std::sqrt(sums[1] / sums[0]) : 1.0;
 }
 
 /// Curvature: sum over the points of |2 pi - their angles| over 4 pi. Points on a border do not
@@ -310,10 +269,6 @@ ResultFacts MeasureResult(const TriangleMesh& mesh, const Points& Q, const Metho
     facts.turnedOverShare = part.Sum(static_cast<double>(CountTurnedOver(mesh.P, Q, mesh.F, R))) /
       part.Sum(static_cast<double>(mesh.F.rows()));
   }
-  if (o.detailSize == 0.0)
-  {
-    facts.relief = MeasureRelief(mesh, part, Q, o, report);
-  }
   return facts;
 }
 
@@ -357,8 +312,6 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
     { surface.longEdgeShare >= CoarseShare && choices.refine, "RefineLongEdges On: " + longEdges },
     { surface.longEdgeShare >= CoarseShare && !choices.refine,
       "MaximumEdgeLength 0.04: " + longEdges },
-    { o.detailSize == 0.0 && surface.curvature >= CurvatureLimit && result.relief < ReliefLimit,
-      "DetailSize 0.06: details keep " + Percent(result.relief) + " of their height" },
     { result.facingAwayShare >= FacingAwayLimit && !usesNormals,
       "NormalBlend " + Number(Limbs) + ": " + Percent(result.facingAwayShare) +
         " of the surface faces away from the center" },

@@ -46,9 +46,6 @@ struct ResultFacts
                                 ///< in play only looked for around a center of one's own
   /// Triangles turned over, of all; only looked for where as many have turned by a right angle.
   double turnedOverShare = 0.0;
-  /// How much the distance from O still varies along the edges: rms after over before. Looked for
-  /// where no details are kept.
-  double relief = 1.0;
 };
 /// @param Q  the points of the result @param o, report  those of the solve that led there
 ResultFacts MeasureResult(const TriangleMesh& mesh, const Points& Q, const MethodOptions& o,
