@@ -512,8 +512,9 @@ inline TriangleMesh Isosurface(
   }
   const auto place = [&](int node)
   {
-    const Vector at(node % counts[0], node / counts[0] % counts[1], node / counts[0] / counts[1]);
-    return Vector(low + edge * at);
+    const int row = node / counts[0];
+    const int layer = row / counts[1];
+    return Vector(low + edge * Vector(node % counts[0], row % counts[1], layer));
   };
   std::vector<double> values(static_cast<std::size_t>(counts[0]) * counts[1] * counts[2]);
   for (std::size_t node = 0; node < values.size(); ++node)

@@ -240,7 +240,7 @@ std::vector<Samples> PartFinder::Pieces(const Samples& samples, const std::vecto
   std::vector<char> open(marks.size(), 0);
   for (const int k : samples)
   {
-    open[k] = marks[k] != NotThere;
+    open[k] = marks[k] != NotThere ? 1 : 0;
   }
   std::vector<Samples> pieces;
   for (const int start : samples)
@@ -518,7 +518,10 @@ OpenPart PartFinder::Open(Samples samples, bool search)
   if (best.sample != NotThere)
   {
     part.pieces = this->CutOff(part.samples, u, best);
-    part.q = part.pieces.size() > 1 ? best.q : NoCut;
+    if (part.pieces.size() > 1)
+    {
+      part.q = best.q;
+    }
   }
   return part;
 }
@@ -572,7 +575,8 @@ void PartFinder::Heal(const std::vector<Samples>& pieces)
   const Points& x = this->Grid.GetPlaces();
   while (!front.empty())
   {
-    const auto [d, k] = front.top();
+    const double d = front.top().first;
+    const int k = front.top().second;
     front.pop();
     if (d == distance[k])
     {
