@@ -206,7 +206,7 @@ def main():
         code = report(arguments.output, plan["kept"] + lines)
     except Complete:
         pass
-    if folder.work.silent:
+    if folder.work.misses():
         os._exit(code)  # the end of MPI would wait for those that are lost
     return code
 

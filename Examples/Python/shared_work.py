@@ -172,6 +172,12 @@ class SharedWork:
                 lost.append(other)
         return lost
 
+    def misses(self):
+        """Whether a process is lost or may be: one that has shown no sign of life for half of the limit, as when
+        another process has noticed first and is through already."""
+        now = time.monotonic()
+        return bool(self.silent) or any(now - since > self.limit / 2 for _, since in self._heard.values())
+
     def check(self):
         """@throw Complete, Superseded"""
         if self.run.is_dir():
