@@ -1086,7 +1086,7 @@ vtkSmartPointer<vtkDataSet> WithoutEmptyArrays(vtkDataSet* input)
   {
     return input;
   }
-  const auto without = vtkSmartPointer<vtkDataSet>::Take(input->NewInstance());
+  auto without = vtkSmartPointer<vtkDataSet>::Take(input->NewInstance());
   without->ShallowCopy(input);
   RemoveEmptyArrays(without->GetPointData(), input->GetNumberOfPoints());
   RemoveEmptyArrays(without->GetCellData(), input->GetNumberOfCells());
