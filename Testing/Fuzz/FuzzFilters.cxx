@@ -521,7 +521,6 @@ Messages RunAndCheck(const Subject& subject, vtkDataSet* input)
   filter->GetExecutive()->RemoveAllObservers();
 
   vtkDataSet* output = OutputOf(subject);
-  std::cerr << "SAID " << input->GetClassName() << " " << output->GetNumberOfPoints() << " " << (messages.Errors.empty() ? "" : messages.Errors[0].substr(messages.Errors[0].find("): "))) << (messages.Warnings.empty() ? "" : messages.Warnings[0].substr(messages.Warnings[0].find("): "))) << "\n";
   Demand(SameDataSet(before, input), "the input is unchanged", filter);
   Demand(Others()->Errors.empty(), "no other object complains", filter, Joined(Others()->Errors));
   Demand(messages.Errors.size() < 2, "one error at most", filter, Joined(messages.Errors));
