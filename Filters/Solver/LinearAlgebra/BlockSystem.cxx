@@ -28,8 +28,7 @@ double DotProduct(const BlockSystem::Rows& a, const BlockSystem::Rows& b, int th
 Eigen::Matrix3d InverseFactor(const Eigen::Matrix3d& block)
 {
   const Eigen::LLT<Eigen::Matrix3d> factor(block);
-  const Eigen::Matrix3d inverse =
-    factor.matrixL().solve(Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
+  Eigen::Matrix3d inverse = factor.matrixL().solve(Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
   if (factor.info() == Eigen::Success && inverse.allFinite())
   {
     return inverse;

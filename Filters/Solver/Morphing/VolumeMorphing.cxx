@@ -457,6 +457,20 @@ MorphedVolume MorphVolume(const VolumeMesh& rest, const std::vector<char>& isFix
   return result;
 }
 
+namespace
+{
+/// |det E| J of a corner = sign(det E) E' adj E, for J = E' E^-1.
+Eigen::Matrix3d WeightedJacobian(const Eigen::Matrix3d& before, const Eigen::Matrix3d& after)
+{
+  Eigen::Matrix3d adjugate;
+  adjugate.row(0) = before.col(1).cross(before.col(2)).transpose();
+  adjugate.row(1) = before.col(2).cross(before.col(0)).transpose();
+  adjugate.row(2) = before.col(0).cross(before.col(1)).transpose();
+  const double sign = adjugate.row(0).dot(before.col(0)) < 0.0 ? -1.0 : 1.0;
+  return sign * after * adjugate;
+}
+}
+
 Matrices VolumeRotations(const VolumeMesh& rest, const Points& Q, int threads)
 {
   const Frame frame = FrameOf(rest.P);
@@ -483,15 +497,10 @@ Matrices VolumeRotations(const VolumeMesh& rest, const Points& Q, int threads)
           after.col(k - 1) = (moved.row(i) - moved.row(ids[corner[0]])).transpose();
         }
       }
-      // |det E| J = sign(det E) E' adj E, for J = E' E^-1.
-      Eigen::Matrix3d adjugate;
-      adjugate.row(0) = before.col(1).cross(before.col(2)).transpose();
-      adjugate.row(1) = before.col(2).cross(before.col(0)).transpose();
-      adjugate.row(2) = before.col(0).cross(before.col(1)).transpose();
-      const double sign = adjugate.row(0).dot(before.col(0)) < 0.0 ? -1.0 : 1.0;
+      const Eigen::Matrix3d jacobian = WeightedJacobian(before, after);
       for (const int k : corner)
       {
-        rotations[ids[k]] += sign * after * adjugate;
+        rotations[ids[k]] += jacobian;
         touched[ids[k]] |= same ? 0 : 1;
       }
     }
