@@ -119,7 +119,8 @@ vtkFoundParts FindConnected(const vtkSurfaceMesh& surface)
 /// The parts that occur, with what they have, and the numbers they get: by area, the largest first.
 std::vector<PartMeasures> PutInOrder(const vtkSurfaceMesh& surface, vtkFoundParts& found)
 {
-  int count = 0;
+  // A part of few samples may be of no point.
+  int count = static_cast<int>(found.Thickness.size());
   for (const std::vector<int>* parts : { &found.OfPoints, &found.OfCells })
   {
     for (const int part : *parts)
