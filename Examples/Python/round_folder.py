@@ -203,10 +203,14 @@ def main():
             folder.work.check()
             folder.look()
             time.sleep(min(0.1, arguments.limit / 16))
+        folder.look()
+        while folder.work.doubts():  # a process that is lost is told, also where others have done its work
+            time.sleep(min(0.1, arguments.limit / 16))
+            folder.look()
         code = report(arguments.output, plan["kept"] + lines)
     except Complete:
         pass
-    if folder.work.misses():
+    if folder.work.silent or folder.work.doubts():
         os._exit(code)  # the end of MPI would wait for those that are lost
     return code
 

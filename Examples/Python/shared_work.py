@@ -172,11 +172,12 @@ class SharedWork:
                 lost.append(other)
         return lost
 
-    def misses(self):
-        """Whether a process is lost or may be: one that has shown no sign of life for half of the limit, as when
-        another process has noticed first and is through already."""
+    def doubts(self):
+        """Whether a process may be lost that is not in `silent` yet: it has shown no sign of life for half of the
+        limit. Another process may have noticed first, and be through already."""
         now = time.monotonic()
-        return bool(self.silent) or any(now - since > self.limit / 2 for _, since in self._heard.values())
+        return any(now - since > self.limit / 2 for other, (_, since) in self._heard.items()
+                   if other not in self.silent)
 
     def check(self):
         """@throw Complete, Superseded"""
