@@ -10,6 +10,7 @@
 #include "vtkFilterSupport.h"
 #include "vtkSurfaceMeshConversion.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -29,6 +30,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -60,16 +62,15 @@ struct PartMeasures
   double thickness = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The part that most points of a cell are of, of the lowest of several.
-int PartOfMost(vtkIdList* points, const std::vector<int>& ofPoints)
+/// The part that most of the points are of, of the lowest of several.
+int PartOfMost(const std::set<int>& points, const std::vector<int>& ofPoints)
 {
   std::map<int, int> votes;
-  for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+  for (const int point : points)
   {
-    const int part = ofPoints[points->GetId(i)];
-    if (part != NoPart)
+    if (ofPoints[point] != NoPart)
     {
-      ++votes[part];
+      ++votes[ofPoints[point]];
     }
   }
   const auto best = std::max_element(
@@ -81,14 +82,36 @@ int PartOfMost(vtkIdList* points, const std::vector<int>& ofPoints)
 void LetCellsFollow(vtkPolyData* input, const vtkSurfaceMesh& surface, vtkFoundParts& found)
 {
   found.OfCells.assign(input->GetNumberOfCells(), NoPart);
-  vtkNew<vtkIdList> points;
-  for (Eigen::Index f = 0; f < surface.Mesh.F.rows(); ++f)
+  const SphericalStyle::Triangles& corners = surface.GetCorners();
+  std::set<int> points; // of the cell, whose triangles come one after the other
+  for (Eigen::Index f = 0; f < corners.rows(); ++f)
   {
-    int& part = found.OfCells[surface.GetCell(f)];
-    if (part == NoPart)
+    points.insert({ corners(f, 0), corners(f, 1), corners(f, 2) });
+    if (f + 1 == corners.rows() || surface.GetCell(f + 1) != surface.GetCell(f))
     {
-      input->GetCellPoints(surface.GetCell(f), points);
-      part = PartOfMost(points, found.OfPoints);
+      found.OfCells[surface.GetCell(f)] = PartOfMost(points, found.OfPoints);
+      points.clear();
+    }
+  }
+}
+
+/// Points are of the part of their first cell.
+void LetPointsFollow(vtkPolyData* input, vtkFoundParts& found)
+{
+  found.OfPoints.assign(input->GetNumberOfPoints(), NoPart);
+  vtkNew<vtkIdList> points;
+  vtkIdType cell = 0;
+  for (vtkCellArray* cells :
+    { input->GetVerts(), input->GetLines(), input->GetPolys(), input->GetStrips() })
+  {
+    for (vtkIdType i = 0; cells && i < cells->GetNumberOfCells(); ++i, ++cell)
+    {
+      cells->GetCellAtId(i, points);
+      for (vtkIdType k = 0; k < points->GetNumberOfIds(); ++k)
+      {
+        int& part = found.OfPoints[points->GetId(k)];
+        part = part == NoPart ? found.OfCells[cell] : part;
+      }
     }
   }
 }
@@ -388,16 +411,7 @@ vtkFoundParts vtkSurfacePartsFilter::FindByArray(
     return found;
   }
   found.OfCells = RanksOf(array, input->GetNumberOfCells(), "cell");
-  found.OfPoints.assign(input->GetNumberOfPoints(), NoPart);
-  vtkNew<vtkIdList> points;
-  for (vtkIdType cell = input->GetNumberOfCells() - 1; cell >= 0; --cell)
-  {
-    input->GetCellPoints(cell, points);
-    for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
-    {
-      found.OfPoints[points->GetId(i)] = found.OfCells[cell]; // in the end that of the first cell
-    }
-  }
+  LetPointsFollow(input, found);
   return found;
 }
 
