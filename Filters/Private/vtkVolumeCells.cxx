@@ -10,6 +10,7 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -104,7 +105,8 @@ Volume FromDataSet(vtkDataSet* input, const SphericalStyle::Points& P)
   Volume volume;
   volume.Mesh.P = P;
   volume.Mesh.Offsets.push_back(0);
-  if (!vtkPointSet::SafeDownCast(input))
+  // A surface has no volume, and its links to cells may be older than these.
+  if (vtkPolyData::SafeDownCast(input) || !vtkPointSet::SafeDownCast(input))
   {
     return volume;
   }
