@@ -38,7 +38,8 @@
  * Errors, with the first id: cells of other kinds with a volume (quadratic, polyhedra); a point of
  * the boundary with no point of the surface within 1e-6 of the diagonal; cells that are inverted in
  * the output and were not in the input, with their number and the smallest scaled Jacobian, and
- * whether the surface alone makes that so; points that are not finite; no array Displacement. A
+ * whether the surface alone makes that so; points that are not finite; no surface, which is
+ * optional for VTK only, so that the message can say what to take; no array Displacement. A
  * warning: cells that were inverted in the input and still are.
  *
  * Source: V. Garanzha, I. Kaporin, L. Kudryavtseva, F. Protais, N. Ray, D. Sokolov, Foldover-free

@@ -104,7 +104,9 @@
  * iteration one rotation per point and one triangular solve.
  *
  * A warning names the first point of parts that keep less than a tenth of their thickness without
- * DetailSize; about 2000 points are looked at.
+ * DetailSize; about 2000 points are looked at. Others tell of normals of the model that are off by
+ * more than 60 degrees on a tenth of its area, where the result follows them, and of a model that
+ * changes over time and is its own rest pose.
  *
  * @warning Large Roundness without DetailSize scales details down with everything else: at 5 a face
  * is gone. With NormalRadius WholeModel and NormalBlend > 0 the surface may fold at concave places
@@ -520,8 +522,9 @@ public:
 
   /**
    * The one change that would improve the result of the last execution most, in one line, from what
-   * was measured: "SphericalWeighting Cotangent: 53 % of the triangles are obtuse". Empty where
-   * there is none, with ReproduceThesis, and from a change of a property to
+   * was measured: "SphericalWeighting Cotangent: 53 % of the triangles are obtuse". Where there is
+   * none and the model has time steps but no rest pose, how to use one: text without a property and
+   * a value before it. Else empty, and so with ReproduceThesis and from a change of a property to
    * the next execution. Nothing is changed by itself.
    */
   const char* GetAdvice();
