@@ -248,7 +248,8 @@ void BadStyles(Checker& check)
     self->SetStyleToCube();
     self->SetStyleMeshConnection(nullptr);
   };
-  const auto expect = [&](const char* about, const std::vector<std::string>& words, Surface style)
+  const auto expect =
+    [&](const char* about, const std::vector<std::string>& words, const Surface& style)
   {
     ExpectError<FilterType>(
       check, about, words,

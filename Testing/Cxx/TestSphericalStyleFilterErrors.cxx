@@ -564,9 +564,9 @@ Surface MakeSkewSheet(int side)
   std::vector<std::vector<vtkIdType>> faces;
   for (int i = 0; i < side * side; ++i)
   {
-    const double x = i % side;
-    const auto y = static_cast<double>(i / side);
-    points.push_back({ x + 1.6 * y, y, 0.1 * std::sin(x) });
+    const int x = i % side;
+    const int y = i / side;
+    points.push_back({ x + 1.6 * y, static_cast<double>(y), 0.1 * std::sin(x) });
     if (x + 1 < side && y + 1 < side)
     {
       faces.push_back({ i, i + 1, i + side + 1 });

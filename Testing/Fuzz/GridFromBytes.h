@@ -21,9 +21,15 @@ inline vtkSmartPointer<vtkUnstructuredGrid> CubesFromBytes(Bytes& bytes)
   vtkNew<vtkPoints> points;
   points->SetDataType(bytes.Flag() ? VTK_FLOAT : VTK_DOUBLE);
   const int n = (bytes.Byte() + 3) % 4; // 3 of a zero
-  for (int i = 0; i < (n + 1) * (n + 1) * (n + 1) && n > 0; ++i)
+  for (int k = 0; k <= n && n > 0; ++k)
   {
-    points->InsertNextPoint(i % (n + 1), i / (n + 1) % (n + 1), i / ((n + 1) * (n + 1)));
+    for (int j = 0; j <= n; ++j)
+    {
+      for (int i = 0; i <= n; ++i)
+      {
+        points->InsertNextPoint(i, j, k);
+      }
+    }
   }
   const std::pair<int, std::vector<Cell>> kinds[] = {
     { VTK_HEXAHEDRON, { { 0, 1, 2, 3, 4, 5, 6, 7 } } },
@@ -38,11 +44,12 @@ inline vtkSmartPointer<vtkUnstructuredGrid> CubesFromBytes(Bytes& bytes)
   grid->Allocate(n * n * n);
   for (int cube = 0; cube < n * n * n; ++cube)
   {
-    const auto id = [&](int a, int b, int c)
+    const auto id = [&](int a, int b, int c) -> vtkIdType
     {
       const int i = cube % n + a;
       const int j = cube / n % n + b;
-      return static_cast<vtkIdType>(((cube / n / n + c) * (n + 1) + j) * (n + 1) + i);
+      const int k = cube / n / n + c;
+      return (k * (n + 1) + j) * (n + 1) + i;
     };
     const Cell corners = { id(0, 0, 0), id(1, 0, 0), id(1, 1, 0), id(0, 1, 0), id(0, 0, 1),
       id(1, 0, 1), id(1, 1, 1), id(0, 1, 1) };
