@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AdvancingFront.h"
 
+#include "DisjointSets.h"
 #include "SurfaceMesh.h"
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
@@ -20,16 +21,6 @@ namespace
 {
 using ThreeIds = std::array<std::size_t, 3>;
 
-std::size_t Root(std::vector<std::size_t>& parent, std::size_t i)
-{
-  while (parent[i] != i)
-  {
-    parent[i] = parent[parent[i]];
-    i = parent[i];
-  }
-  return i;
-}
-
 /// The order of CGAL's triangles and which of its two sides a connected part turns outward: here
 /// the points decide both.
 void PutInOrder(std::vector<ThreeIds>& facets, std::size_t numberOfPoints)
@@ -39,8 +30,8 @@ void PutInOrder(std::vector<ThreeIds>& facets, std::size_t numberOfPoints)
   for (ThreeIds& facet : facets)
   {
     std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
-    parent[Root(parent, facet[1])] = Root(parent, facet[0]);
-    parent[Root(parent, facet[2])] = Root(parent, facet[0]);
+    JoinSets(parent, facet[0], facet[1]);
+    JoinSets(parent, facet[0], facet[2]);
   }
   const auto ascending = [](const ThreeIds& facet) {
     return ThreeIds{ facet[0], std::min(facet[1], facet[2]), std::max(facet[1], facet[2]) };
@@ -56,7 +47,7 @@ void PutInOrder(std::vector<ThreeIds>& facets, std::size_t numberOfPoints)
   std::vector<Side> sides(numberOfPoints, Side::Unknown);
   for (ThreeIds& facet : facets)
   {
-    Side& side = sides[Root(parent, facet[0])];
+    Side& side = sides[RootOf(parent, facet[0])];
     if (side == Side::Unknown)
     {
       side = facet[1] < facet[2] ? Side::Kept : Side::Turned;

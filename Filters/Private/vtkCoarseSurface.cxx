@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCoarseSurface.h"
 
+#include "DisjointSets.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdList.h"
@@ -23,7 +25,9 @@
 #include <utility>
 #include <vector>
 
+using SphericalStyle::JoinSets;
 using SphericalStyle::Points;
+using SphericalStyle::RootOf;
 using SphericalStyle::Triangles;
 
 namespace
@@ -34,23 +38,6 @@ constexpr double MostCells = 1000.0; // along the diagonal
 constexpr int Attempts = 3;
 constexpr double FarOff = 1.5; // from the wanted number of points
 constexpr int PartsOfCell = 2; // more in the mean are no sides of walls: no points are shared
-
-/// Sets of numbers, each known by its lowest one.
-int RootOf(std::vector<int>& parents, int i)
-{
-  while (parents[i] != i)
-  {
-    parents[i] = parents[parents[i]];
-    i = parents[i];
-  }
-  return i;
-}
-void JoinSets(std::vector<int>& parents, int i, int j)
-{
-  i = RootOf(parents, i);
-  j = RootOf(parents, j);
-  parents[std::max(i, j)] = std::min(i, j);
-}
 
 /// Which input points become one.
 class Clusters

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshTopology.h"
 
+#include "DisjointSets.h"
+
 #include <numeric>
 #include <string>
 
@@ -38,17 +40,6 @@ void CheckTriangles(const Triangles& F, int n, RepeatedPoints repeated)
     }
   }
 }
-
-// Union-find with path halving.
-int Root(std::vector<int>& parent, int i)
-{
-  while (parent[i] != i)
-  {
-    parent[i] = parent[parent[i]];
-    i = parent[i];
-  }
-  return i;
-}
 }
 
 MeshTopology::MeshTopology(const Triangles& F, int numberOfPoints, RepeatedPoints repeated)
@@ -84,16 +75,14 @@ MeshTopology::MeshTopology(const Triangles& F, int numberOfPoints, RepeatedPoint
   std::iota(parent.begin(), parent.end(), 0);
   for (Eigen::Index f = 0; f < this->F.rows(); ++f)
   {
-    const int a = Root(parent, this->F(f, 0));
-    const int b = Root(parent, this->F(f, 1));
-    parent[b] = a;
-    parent[Root(parent, this->F(f, 2))] = a;
+    JoinSets(parent, this->F(f, 0), this->F(f, 1));
+    JoinSets(parent, this->F(f, 0), this->F(f, 2));
   }
   std::vector<int> number(n, -1);
   this->Components.resize(n);
   for (int i = 0; i < n; ++i)
   {
-    int& id = number[Root(parent, i)];
+    int& id = number[RootOf(parent, i)];
     if (id < 0)
     {
       id = static_cast<int>(this->LastPoints.size());
