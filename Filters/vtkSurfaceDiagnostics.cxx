@@ -94,18 +94,13 @@ public:
   explicit Report(vtkTable* table)
   {
     table->Initialize(); // an observer of progress may have asked for an update, which filled it
-    const auto add = [table](vtkAbstractArray* column, const char* name)
-    {
-      column->SetName(name);
-      table->AddColumn(column);
-    };
-    add(this->Name, "Name");
-    add(this->Count, "Count");
-    add(this->Value, "Value");
-    add(this->Association, "Association");
-    add(this->FirstId, "FirstId");
-    add(this->Meaning, "Meaning");
-    add(this->Consequence, "Consequence");
+    AddColumn(table, this->Name, "Name");
+    AddColumn(table, this->Count, "Count");
+    AddColumn(table, this->Value, "Value");
+    AddColumn(table, this->Association, "Association");
+    AddColumn(table, this->FirstId, "FirstId");
+    AddColumn(table, this->Meaning, "Meaning");
+    AddColumn(table, this->Consequence, "Consequence");
   }
 
   void Add(

@@ -20,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
+#include "vtkTable.h"
 #include "vtkVersion.h"
 
 #include <cmath>
@@ -252,6 +253,12 @@ void AddCount(vtkFieldData* data, const char* name, int count)
   array->SetName(name);
   array->InsertNextValue(count);
   data->AddArray(array);
+}
+
+void AddColumn(vtkTable* table, vtkAbstractArray* column, const char* name)
+{
+  column->SetName(name);
+  table->AddColumn(column);
 }
 
 void AddStageSeconds(vtkFieldData* data, const std::vector<std::pair<const char*, double>>& stages)

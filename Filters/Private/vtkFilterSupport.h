@@ -13,11 +13,13 @@
 #include <utility>
 #include <vector>
 
+class vtkAbstractArray;
 class vtkAlgorithm;
 class vtkDataObject;
 class vtkFieldData;
 class vtkInformation;
 class vtkInformationVector;
+class vtkTable;
 
 namespace vtkFilterSupport
 {
@@ -81,6 +83,9 @@ bool IsSurface(vtkAlgorithm* self, vtkInformationVector* port);
 
 /// Adds an array of one number.
 void AddCount(vtkFieldData* data, const char* name, int count);
+
+/// Adds a column of that name.
+void AddColumn(vtkTable* table, vtkAbstractArray* column, const char* name);
 
 /// Adds the array StageSeconds, one component per stage.
 void AddStageSeconds(vtkFieldData* data, const std::vector<std::pair<const char*, double>>& stages);
