@@ -8,6 +8,7 @@
 #include "SurfaceMeasures.h"
 #include "SurfaceParts.h"
 #include "vtkFilterSupport.h"
+#include "vtkIdValues.h"
 #include "vtkSurfaceMeshConversion.h"
 
 #include "vtkCellArray.h"
@@ -142,8 +143,7 @@ vtkFoundParts FindConnected(const vtkSurfaceMesh& surface)
 /// The parts that occur, with what they have, and the numbers they get: by area, the largest first.
 std::vector<PartMeasures> PutInOrder(const vtkSurfaceMesh& surface, vtkFoundParts& found)
 {
-  // A part of few samples may be of no point.
-  int count = static_cast<int>(found.Thickness.size());
+  int count = 0;
   for (const std::vector<int>* parts : { &found.OfPoints, &found.OfCells })
   {
     for (const int part : *parts)
@@ -221,11 +221,6 @@ void MakeTable(vtkTable* table, const std::vector<PartMeasures>& parts)
   vtkNew<vtkIdTypeArray> points, cells;
   vtkNew<vtkDoubleArray> area, center, thickness;
   center->SetNumberOfComponents(3);
-  const auto add = [table](vtkAbstractArray* column, const char* name)
-  {
-    column->SetName(name);
-    table->AddColumn(column);
-  };
   for (const PartMeasures& part : parts)
   {
     number->InsertNextValue(static_cast<int>(number->GetNumberOfValues()));
@@ -235,45 +230,25 @@ void MakeTable(vtkTable* table, const std::vector<PartMeasures>& parts)
     center->InsertNextTuple(part.center);
     thickness->InsertNextValue(part.thickness);
   }
-  add(number, "Part");
-  add(points, "Points");
-  add(cells, "Cells");
-  add(area, "Area");
-  add(center, "Center");
-  add(thickness, "Thickness");
+  AddColumn(table, number, "Part");
+  AddColumn(table, points, "Points");
+  AddColumn(table, cells, "Cells");
+  AddColumn(table, area, "Area");
+  AddColumn(table, center, "Center");
+  AddColumn(table, thickness, "Thickness");
 }
 
 /// Of each value of an array, its rank among all. @throw std::invalid_argument
-std::vector<int> RanksOf(vtkDataArray* array, vtkIdType tuples, const char* noun)
+std::vector<int> RanksOf(vtkDataArray* array, vtkIdType count, const char* noun)
 {
-  const std::string name =
-    "Method Array: array '" + std::string(array->GetName() ? array->GetName() : "") + "'";
-  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != tuples)
+  const vtkIdValues given(array, "Method Array", count, noun);
+  std::vector<vtkIdType> ids(count);
+  for (vtkIdType i = 0; i < count; ++i)
   {
-    throw std::invalid_argument(name + " must have 1 component and a value for every " + noun);
+    ids[i] = given[i];
   }
-  std::map<double, int> ranks;
-  for (vtkIdType i = 0; i < tuples; ++i)
-  {
-    const double value = array->GetComponent(i, 0);
-    if (!(value == std::floor(value)) || std::abs(value) > 1e15)
-    {
-      throw std::invalid_argument(name + " must hold whole numbers; " + noun + " " +
-        std::to_string(i) + " has " + std::to_string(value));
-    }
-    ranks[value] = 0;
-  }
-  int rank = 0;
-  for (auto& [value, number] : ranks)
-  {
-    number = rank++;
-  }
-  std::vector<int> result(tuples);
-  for (vtkIdType i = 0; i < tuples; ++i)
-  {
-    result[i] = ranks[array->GetComponent(i, 0)];
-  }
-  return result;
+  std::vector<vtkIdType> values;
+  return vtkIdValues::Ranks(ids, values);
 }
 }
 
@@ -356,15 +331,10 @@ vtkFoundParts vtkSurfacePartsFilter::FindByShape(const vtkSurfaceMesh& surface)
   using namespace SphericalStyle;
   const Frame frame = FrameOf(surface.Mesh.P);
   const Points P = frame.Into(surface.Mesh.P);
-  Triangles outward = OrientAlike(P, surface.Mesh.F);
-  if (EnclosedVolume(P, outward) < 0.0)
-  {
-    outward.col(1).swap(outward.col(2));
-  }
   PartsOptions options;
   options.numberOfParts = this->NumberOfParts;
   options.threads = ThreadsToUse(0);
-  const SurfacePartsResult parts = FindParts(P, outward, options,
+  const SurfacePartsResult parts = FindParts(P, OrientOutward(P, surface.Mesh.F), options,
     [this](int search, double)
     {
       this->UpdateProgress(1.0 - std::pow(0.9, search)); // nobody knows how many there will be

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCenterIds.h"
 
+#include "vtkIdValues.h"
 #include "vtkSurfaceMeshConversion.h"
 
 #include "vtkDataArray.h"
@@ -9,8 +10,6 @@
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
-#include <cmath>
-#include <map>
 #include <stdexcept>
 
 using SphericalStyle::Points;
@@ -31,46 +30,21 @@ vtkCenterIds vtkCenterIds::Find(
     return ids;
   }
   ids.ArrayName = array->GetName() ? array->GetName() : "";
-  const std::string name = "Center id: array '" + ids.ArrayName + "'";
-  if (array->GetNumberOfComponents() != 1 ||
-    array->GetNumberOfTuples() != input->GetNumberOfPoints())
-  {
-    throw std::invalid_argument(name + " must have 1 component and a value for every point");
-  }
-  std::map<double, int> ranks;
-  std::vector<double> values(surface.Mesh.P.rows());
+  const vtkIdValues given(array, "Center id", input->GetNumberOfPoints(), "point");
+  std::vector<vtkIdType> ofPoints(surface.Mesh.P.rows());
   for (vtkIdType i = input->GetNumberOfPoints() - 1; i >= 0; --i)
   {
     const int point = surface.MeshPoint[i];
-    const double value = array->GetComponent(i, 0);
-    if (point == vtkSurfaceMesh::NotMoved)
+    if (point != vtkSurfaceMesh::NotMoved)
     {
-      continue;
+      ofPoints[point] = given[i]; // the first of coincident points comes last
     }
-    if (value != std::floor(value) || std::abs(value) > 1e15)
-    {
-      throw std::invalid_argument(name + " must hold whole numbers; point " + std::to_string(i) +
-        " has " + std::to_string(value));
-    }
-    values[point] = value; // the first of coincident points comes last
   }
-  for (const double value : values)
+  ids.OfPoints = vtkIdValues::Ranks(ofPoints, ids.Values);
+  if (ids.Values.size() > MaximumNumberOfCenters)
   {
-    ranks[value] = 0;
-  }
-  if (ranks.size() > MaximumNumberOfCenters)
-  {
-    throw std::invalid_argument(name + " has " + std::to_string(ranks.size()) +
+    throw std::invalid_argument(given.GetName() + " has " + std::to_string(ids.Values.size()) +
       " different values; there can be " + std::to_string(MaximumNumberOfCenters) + " centers");
-  }
-  for (auto& [value, rank] : ranks)
-  {
-    rank = static_cast<int>(ids.Values.size());
-    ids.Values.push_back(static_cast<vtkIdType>(value));
-  }
-  for (const double value : values)
-  {
-    ids.OfPoints.push_back(ranks[value]);
   }
   return ids;
 }

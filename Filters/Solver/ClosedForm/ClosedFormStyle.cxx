@@ -279,11 +279,7 @@ const Triangles& ClosedFormStyle::State::Outward()
   this->Turned.Update({},
     [&](Triangles& turned)
     {
-      Triangles oriented = OrientAlike(*this->P, *this->F, this->Part);
-      if (EnclosedVolume(*this->P, oriented, this->Part) < 0.0)
-      {
-        oriented.col(1).swap(oriented.col(2));
-      }
+      Triangles oriented = OrientOutward(*this->P, *this->F, this->Part);
       if (oriented == *this->F)
       {
         oriented.resize(0, 3);

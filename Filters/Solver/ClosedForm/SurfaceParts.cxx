@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceParts.h"
 
+#include "DisjointSets.h"
 #include "LimbThickness.h"
 #include "Parallel.h"
 #include "SurfaceGrid.h"
@@ -96,7 +97,7 @@ private:
   Cut Sweep(const Samples& part, const Fields& u, int field, int direction, double area) const;
   std::vector<Samples> CutOff(const Samples& part, const Fields& u, const Cut& cut) const;
   void Heal(const std::vector<Samples>& pieces);
-  SurfacePartsResult Result(std::vector<OpenPart> parts);
+  SurfacePartsResult Result(const std::vector<OpenPart>& parts);
 
   const Points& P;
   PartsOptions Options;
@@ -363,19 +364,10 @@ public:
     this->Up[k] = k;
     this->Sums[k] = sum;
   }
-  int Root(int k)
-  {
-    while (this->Up[k] != k)
-    {
-      this->Up[k] = this->Up[this->Up[k]];
-      k = this->Up[k];
-    }
-    return k;
-  }
   /// The piece of l becomes one with that of the root k.
   void Join(int k, int l)
   {
-    const int other = this->Root(l);
+    const int other = RootOf(this->Up, l);
     if (other != k)
     {
       const Sum& more = this->Sums[other];
@@ -650,13 +642,11 @@ SurfacePartsResult PartFinder::Find()
       open.push_back(this->Open(std::move(piece), search));
     }
   }
-  return this->Result(std::move(open));
+  return this->Result(open);
 }
 
-SurfacePartsResult PartFinder::Result(std::vector<OpenPart> parts)
+SurfacePartsResult PartFinder::Result(const std::vector<OpenPart>& parts)
 {
-  std::stable_sort(parts.begin(), parts.end(),
-    [](const OpenPart& a, const OpenPart& b) { return a.area > b.area; });
   const int count = static_cast<int>(parts.size());
   std::vector<int> partOf(this->Count(), NotThere);
   for (int p = 0; p < count; ++p)
@@ -670,32 +660,38 @@ SurfacePartsResult PartFinder::Result(std::vector<OpenPart> parts)
   {
     partOf[k] = partOf[nearest];
   }
-  SurfacePartsResult result;
-  result.count = count;
-  result.areas.assign(count, 0.0);
-  result.centers = Points::Zero(count, 3);
-  result.thickness.assign(count, 0.0);
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(count);
+  Eigen::VectorXd logThickness = Eigen::VectorXd::Zero(count);
   Fields shares = Fields::Zero(this->Count(), count);
   for (Eigen::Index k = 0; k < this->Count(); ++k)
   {
     const int p = partOf[k];
     shares(k, p) = 1.0;
-    result.areas[p] += this->Weights(k);
-    result.centers.row(p) += this->Weights(k) * this->Grid.GetPlaces().row(k);
-    result.thickness[p] += this->Weights(k) * this->LogThickness(k);
-  }
-  for (int p = 0; p < count; ++p)
-  {
-    result.centers.row(p) /= result.areas[p];
-    result.thickness[p] = std::exp(result.thickness[p] / result.areas[p]);
+    areas(p) += this->Weights(k);
+    logThickness(p) += this->Weights(k) * this->LogThickness(k);
   }
   const int threads = this->Options.threads;
   this->Grid.Factor({}, threads);
   shares = this->Grid.AtPoints(this->Grid.Smooth(shares, threads), this->P, threads);
+  SurfacePartsResult result;
   result.parts.resize(shares.rows());
+  std::vector<int> numbers(count, NotThere); // a part of few samples may be of no point
   for (Eigen::Index i = 0; i < shares.rows(); ++i)
   {
     shares.row(i).maxCoeff(&result.parts[i]);
+    numbers[result.parts[i]] = 0;
+  }
+  for (int p = 0; p < count; ++p)
+  {
+    if (numbers[p] != NotThere)
+    {
+      numbers[p] = result.count++;
+      result.thickness.push_back(std::exp(logThickness(p) / areas(p)));
+    }
+  }
+  for (int& part : result.parts)
+  {
+    part = numbers[part];
   }
   return result;
 }

@@ -23,11 +23,9 @@ struct PartsOptions
 
 struct SurfacePartsResult
 {
-  std::vector<int> parts; ///< of each point, n, 0 .. count - 1; the largest part first
+  std::vector<int> parts; ///< of each point, n, 0 .. count - 1
   int count = 0;
-  std::vector<double> areas;     ///< of each part
-  Points centers;                ///< area centroids
-  std::vector<double> thickness; ///< rho [limb], geometric mean
+  std::vector<double> thickness; ///< of each part: rho [limb], geometric mean
 };
 
 /// Cuts the surface again and again where that is best, at samples k of a SurfaceGrid of size .03,

@@ -259,4 +259,14 @@ Triangles OrientAlike(const Points& P, const Triangles& F, const SurfacePart& pa
   }
   return oriented;
 }
+
+Triangles OrientOutward(const Points& P, const Triangles& F, const SurfacePart& part)
+{
+  Triangles oriented = OrientAlike(P, F, part);
+  if (EnclosedVolume(P, oriented, part) < 0.0)
+  {
+    oriented.col(1).swap(oriented.col(2));
+  }
+  return oriented;
+}
 } // namespace SphericalStyle

@@ -18,6 +18,9 @@ namespace SphericalStyle
 /// @throw WholeSurfaceNeeded for a surface with one side, as where its seam is depends on the order
 ///        of its triangles, where it is spread
 Triangles OrientAlike(const Points& P, const Triangles& F, const SurfacePart& part = {});
+
+/// The same, turned so that the enclosed volume is not negative.
+Triangles OrientOutward(const Points& P, const Triangles& F, const SurfacePart& part = {});
 } // namespace SphericalStyle
 
 #endif

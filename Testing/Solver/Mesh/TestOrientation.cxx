@@ -38,6 +38,8 @@ void TestTurnedBack()
     {
       CHECK(OrientAlike(mesh.P, SomeTurned(mesh, share, 7).F) == mesh.F,
         "what was turned round, a share of " << share << ", should come back");
+      CHECK(OrientOutward(mesh.P, SomeTurned(mesh, 1.0 - share, 7).F) == mesh.F,
+        "what faces inward for the most should come out");
     }
   }
   const TriangleMesh hollow = Meshes::HollowBall(0.5, 2);
