@@ -6,10 +6,11 @@
 
 #include "vtkMeshMorphingFilter.h"
 
-#include "vtkCellTypes.h"
+#include "vtkCell.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkGenericCell.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkRectilinearGrid.h"
@@ -24,6 +25,11 @@ using namespace FilterTesting;
 
 namespace
 {
+std::string NameOf(int cellType)
+{
+  return vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(cellType))->GetClassName();
+}
+
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 using Motion = std::function<Vector(const Vector&)>;
 
@@ -226,7 +232,7 @@ void TestExact(Checker& check)
   {
     for (const int precision : { VTK_DOUBLE, VTK_FLOAT })
     {
-      check.About(std::string("exact: ") + vtkCellTypes::GetClassNameFromTypeId(type));
+      check.About(std::string("exact: ") + NameOf(type));
       const Grid grid = MakeCube(4, type, precision);
       const Surface surface = SurfaceOf(grid);
       Morphing still(grid, Moved(surface, Same));
@@ -247,7 +253,7 @@ void TestChain(Checker& check)
 {
   for (const int type : VolumeTypes)
   {
-    check.About(std::string("chain: ") + vtkCellTypes::GetClassNameFromTypeId(type));
+    check.About(std::string("chain: ") + NameOf(type));
     const Grid grid = MakeCube(6, type);
     const Surface surface = Rounded(SurfaceOf(grid));
     Morphing morphing(grid, surface);
@@ -298,7 +304,7 @@ void TestRepairs(Checker& check)
 {
   for (const int type : VolumeTypes)
   {
-    check.About(std::string("dent: ") + vtkCellTypes::GetClassNameFromTypeId(type));
+    check.About(std::string("dent: ") + NameOf(type));
     const Grid grid = MakeCube(6, type);
     const Surface dent = Moved(SurfaceOf(grid), Dent);
     Morphing morphing(grid, dent);

@@ -38,7 +38,9 @@ assert result.GetFieldData().GetArray("SmallestScaledJacobianAfter").GetTuple1(0
 image = MeshMorphing(Input=Wavelet(WholeExtent=[-4, 4, -3, 3, -2, 2]), Surface=style)
 update(image)
 warped = servermanager.Fetch(image)
-assert warped.GetClassName() == "vtkStructuredGrid" and warped.GetDimensions() == (9, 7, 5)
+dimensions = [0, 0, 0]
+warped.GetDimensions(dimensions)
+assert warped.GetClassName() == "vtkStructuredGrid" and dimensions == [9, 7, 5]
 assert math.isnan(image.GetPropertyValue("SmallestScaledJacobianAfter"))
 
 # ------------------------------------------------------------------------------------------ state
