@@ -601,6 +601,24 @@ if wanted("parts.png") and (MODELS / "spot.ply").exists():
         (parts_of(spot, 180.0), "spot: automatic, 6 parts"), (parts_of(spot, 180.0, NumberOfParts=2), "NumberOfParts 2"),
     ]], 25.0, 13, few_colors=False, make_actor=by_part)
 
+# ------------------------------------------------------------------------------------------- sizes
+if wanted("part-sizes.png") and (MODELS / "human-parts.ply").exists():
+    human = model_files.read(MODELS / "human-parts.ply")
+    parts, person = sphericalstyle.parts(creature), sphericalstyle.parts(human)
+    chibi = {"preset": "Chibi", "keep_on_ground": True}
+    picture("part-sizes.png", (1000, 640), [
+        [(of_size_one(surface, creature.GetLength()), title) for surface, title in (
+            (creature, "creature"),
+            (sphericalstyle.resize(creature, {0: 0.75, 3: 1.7}, parts=parts, keep_on_ground=True), "head .75, arm 1.7"),
+            (sphericalstyle.resize(sphericalstyle.round(creature, preset="Soft"), parts=parts, head_height=1.0,
+                                   keep_on_ground=True), "Soft, HeadHeight 1"))],
+        [(of_size_one(surface, human.GetLength()), title) for surface, title in (
+            (human, "human-parts"),
+            (sphericalstyle.resize(human, parts=person, head_height=0.35, keep_on_ground=True), "HeadHeight .35"),
+            (sphericalstyle.resize(sphericalstyle.round(human, **chibi), parts=person, head_height=0.5,
+                                   keep_on_ground=True), "Chibi, HeadHeight .5"))],
+    ], 25.0, 13)
+
 # -------------------------------------------------------------------------------------- comparators
 ours = (rounded(creature), "Spherical Style")
 

@@ -31,16 +31,7 @@ vtkCenterIds vtkCenterIds::Find(
   }
   ids.ArrayName = array->GetName() ? array->GetName() : "";
   const vtkIdValues given(array, "Center id", input->GetNumberOfPoints(), "point");
-  std::vector<vtkIdType> ofPoints(surface.Mesh.P.rows());
-  for (vtkIdType i = input->GetNumberOfPoints() - 1; i >= 0; --i)
-  {
-    const int point = surface.MeshPoint[i];
-    if (point != vtkSurfaceMesh::NotMoved)
-    {
-      ofPoints[point] = given[i]; // the first of coincident points comes last
-    }
-  }
-  ids.OfPoints = vtkIdValues::Ranks(ofPoints, ids.Values);
+  ids.OfPoints = vtkIdValues::Ranks(given.OfMesh(surface), ids.Values);
   if (ids.Values.size() > MaximumNumberOfCenters)
   {
     throw std::invalid_argument(given.GetName() + " has " + std::to_string(ids.Values.size()) +

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIdValues.h"
 
+#include "vtkSurfaceMeshConversion.h"
+
 #include "vtkDataArray.h"
 
 #include <algorithm>
@@ -30,6 +32,20 @@ vtkIdType vtkIdValues::operator[](vtkIdType i) const
       std::to_string(i) + " has " + std::to_string(value));
   }
   return static_cast<vtkIdType>(value);
+}
+
+std::vector<vtkIdType> vtkIdValues::OfMesh(const vtkSurfaceMesh& surface) const
+{
+  std::vector<vtkIdType> ids(surface.Mesh.P.rows());
+  for (auto i = static_cast<vtkIdType>(surface.MeshPoint.size()) - 1; i >= 0; --i)
+  {
+    const int point = surface.MeshPoint[i];
+    if (point != vtkSurfaceMesh::NotMoved)
+    {
+      ids[point] = (*this)[i]; // the first of coincident points comes last
+    }
+  }
+  return ids;
 }
 
 std::vector<int> vtkIdValues::Ranks(

@@ -11,6 +11,7 @@
 #include <vector>
 
 class vtkDataArray;
+struct vtkSurfaceMesh;
 
 class vtkIdValues
 {
@@ -24,6 +25,9 @@ public:
   const std::string& GetName() const { return this->Name; }
   /// @throw std::invalid_argument naming the point or cell where it is no whole number
   vtkIdType operator[](vtkIdType i) const;
+
+  /// Of each mesh point: that of the first of the input points that it stands for.
+  std::vector<vtkIdType> OfMesh(const vtkSurfaceMesh& surface) const;
 
   /// @param values  gets the ids that occur, ascending @return of each id, its place among these
   static std::vector<int> Ranks(const std::vector<vtkIdType>& ids, std::vector<vtkIdType>& values);

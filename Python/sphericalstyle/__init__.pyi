@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The classes of the filters are in SphericalStyleFilters.pyi, which the build writes.
 import os
-from typing import Any, Literal, NamedTuple, Optional, Sequence, TypeVar, Union
+from typing import Any, Literal, Mapping, NamedTuple, Optional, Sequence, TypeVar, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
@@ -61,6 +61,18 @@ def round(
 ) -> _Mesh: ...
 def read(path: Union[str, os.PathLike[str]]) -> vtkPolyData: ...
 def write(path: Union[str, os.PathLike[str]], mesh: Any) -> None: ...
+def parts(mesh: Any, number: int = ...) -> Any: ...
+def resize(
+    mesh: _Mesh,
+    sizes: Optional[Mapping[int, float]] = ...,
+    *,
+    parts: Optional[_Array] = ...,
+    head_height: float = ...,
+    head: int = ...,
+    up_axis: Literal["X", "Y", "Z"] = ...,
+    blend_width: float = ...,
+    keep_on_ground: bool = ...,
+) -> _Mesh: ...
 
 class _Slider(NamedTuple):
     targets: int
@@ -69,7 +81,6 @@ class _Slider(NamedTuple):
     linear: bool
 
 # Further keywords are those of round.
-def parts(mesh: Any, number: int = ...) -> Any: ...
 def write_slider(
     path: Union[str, os.PathLike[str]],
     mesh: Any,

@@ -10,6 +10,7 @@
 #include "vtkGaussMapFilter.h"
 #include "vtkMeshMorphingFilter.h"
 #include "vtkNonlinearStyleFilter.h"
+#include "vtkPartSizesFilter.h"
 #include "vtkSphereProjectionFilter.h"
 #include "vtkSurfaceDiagnostics.h"
 #include "vtkSurfaceMetrics.h"
@@ -285,6 +286,23 @@ Subject MakeParts(Bytes& bytes)
   return { f, false };
 }
 
+Subject MakePartSizes(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkPartSizesFilter>::New();
+  SetArrays(bytes, f, 0);
+  for (int row = bytes.Below(4); row > 0; --row)
+  {
+    const int part = bytes.Below(8);
+    f->SetPartSize(part, bytes.Any());
+  }
+  f->SetBlendWidth(bytes.Any());
+  f->SetHeadHeight(bytes.Flag() ? bytes.Any() : 0.0);
+  f->SetHead(bytes.Below(8) - 1);
+  f->SetKeepOnGround(bytes.Flag());
+  f->SetUpAxis(bytes.Below(3));
+  return { f, true };
+}
+
 Subject MakeMeshMorphing(Bytes& bytes)
 {
   const auto f = vtkSmartPointer<vtkMeshMorphingFilter>::New();
@@ -370,6 +388,8 @@ Subject SubjectFromBytes(Bytes& bytes)
       return MakeDiagnostics(bytes);
     case 10:
       return MakeNonlinearStyle(bytes);
+    case 14:
+      return MakePartSizes(bytes);
     case 15:
       return MakeParts(bytes);
     case 11:

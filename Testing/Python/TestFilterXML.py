@@ -106,6 +106,14 @@ def enumeration_of(name):
     return sorted(values, key=lambda entry: entry[1])
 
 
+def check_rows(name, element):
+    """A value for each of several numbers, such as a size for each part: SetName(number, value)."""
+    check(element.get("command") == "Set" + name, f"{name}: command {element.get('command')}")
+    check(element.get("clean_command") == f"RemoveAll{name}s", f"{name}: clean_command")
+    check(hasattr(Filter, f"RemoveAll{name}s"), f"{name}: nothing removes all")
+    check(element.get("number_of_elements_per_command") == "2", f"{name}: values of a row")
+
+
 def check_array(index, name, element):
     check(element.get("command") == "SetInputArrayToProcess", f"{name}: command")
     check(element.get("default_values") == f"{index};0;0;0;None", f"{name}: default_values")
@@ -164,8 +172,9 @@ check(read_only == information,
 
 for name in internal:
     check(elements[name].get("panel_visibility") == "never", f"{name}: in the panel")
+rows = {n for n, e in elements.items() if e.get("repeat_command") == "1"}
 for name in sorted(settable & set(elements)):
-    check_settable(name, elements[name])
+    (check_rows if name in rows else check_settable)(name, elements[name])
 enumerations = {name: enumeration_of(name) for name in settable}
 enumerations = {name: entries for name, entries in enumerations.items() if entries}
 check(set(expected["enumerations"]) <= set(enumerations), "enumerations of C++")

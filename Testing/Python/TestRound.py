@@ -28,7 +28,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 import FilterTable
 import SurfaceTesting
 import sphericalstyle as ss
-from sphericalstyle import meshes, model_files, presets, properties, rounding, surface_parts
+from sphericalstyle import meshes, model_files, part_sizes, presets, properties, rounding, surface_parts
 from SurfaceTesting import faces, points
 
 data = os.path.abspath(sys.argv[1])
@@ -335,8 +335,23 @@ if hasattr(ss.vtkSphericalStyleFilter, "override"):
 
     assert Own().reader is source and isinstance(Own(), ss.vtkSphericalStyleFilter)
 
+# --------------------------------------------------------------------------------------------------------------- parts
+ids = ss.parts(creature)
+taller = ss.resize(creature, head_height=0.8, parts=ids)
+assert type(taller) is type(creature) and not taller.GetPointData().HasArray("parts of resize()")
+array_of = ss.resize((points(creature), faces(creature)), head_height=0.8, parts=ids)
+assert np.allclose(array_of[0], points(taller), atol=1e-6)
+assert same(points(ss.resize(creature)), points(creature))
+assert not same(points(ss.resize(creature, {1: 1.2})), points(creature))
+for wrong, words in (({"parts": ids[1:]}, "values for"), ({"up_axis": "up"}, ""), ({"sizes": {1: -2}}, "above 0")):
+    try:
+        ss.resize(creature, **wrong)
+        raise AssertionError(wrong)
+    except (ValueError, ss.Error) as error:
+        assert words in str(error), error
+
 # ------------------------------------------------------------------------------------------------------------ examples
-for module in (rounding, meshes, properties, surface_parts):
+for module in (rounding, meshes, properties, part_sizes, surface_parts):
     with contextlib.redirect_stdout(io.StringIO()) as said:  # pvpython's own stream has no encoding
         outcome = doctest.testmod(module)
     assert outcome.failed == 0, said.getvalue()

@@ -596,6 +596,20 @@ inline TriangleMesh Isosurface(
   return Make(points, triangles);
 }
 
+/// A ball with four limbs and a head, each along an axis of its own.
+inline TriangleMesh Doll()
+{
+  const auto distance = [](const Vector& x)
+  {
+    return std::min({ x.norm() - 1.0, (x - Vector(0, 1.6, 0)).norm() - 0.8,
+      Capsule(x, { 0, 0, 0 }, { 2.4, 0.2, 0 }, 0.28),
+      Capsule(x, { 0, 0, 0 }, { -2.4, 0.2, 0 }, 0.28),
+      Capsule(x, { 0, 0, 0 }, { 0.8, -2.4, 0 }, 0.3),
+      Capsule(x, { 0, 0, 0 }, { -0.8, -2.4, 0 }, 0.3) });
+  };
+  return Isosurface(distance, { -2.9, -2.9, -1.2 }, { 2.9, 2.6, 1.2 }, 0.09);
+}
+
 /// An ellipsoid of 42 points beside a box of 26.
 inline TriangleMesh TwoComponents()
 {

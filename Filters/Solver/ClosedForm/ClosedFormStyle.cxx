@@ -8,6 +8,7 @@
 #include "LocalStep.h"
 #include "Orientation.h"
 #include "Parallel.h"
+#include "PartShares.h"
 #include "Stage.h"
 #include "Stopwatch.h"
 #include "SurfaceGrid.h"
@@ -489,21 +490,14 @@ void ClosedFormStyle::State::UpdateJoints(const ClosedFormOptions& o)
   const auto make = [&](CenterJoints& joints)
   {
     joints = {};
-    joints.Shares = Fields::Zero(this->P->rows(), o.NumberOfCenters(this->Part));
-    for (Eigen::Index i = 0; i < this->P->rows(); ++i)
-    {
-      joints.Shares(i, o.centerIds[i]) = 1.0;
-    }
+    joints.Shares = PartShares(o.centerIds, o.NumberOfCenters(this->Part));
     constexpr double Finest = 0.02; // the grid of the joints, where their width is less
     joints.Grid =
       SurfaceGrid(*this->P, *this->F, std::max(o.centerBlend, Finest), o.threads, this->Part);
     if (o.centerBlend > 0.0)
     {
       joints.Grid.Factor({}, o.threads);
-      const Fields smooth =
-        joints.Grid.SmoothTwice(joints.Grid.Means(joints.Shares, o.threads), o.threads);
-      joints.Shares = joints.Grid.AtPoints(smooth, *this->P, o.threads).cwiseMax(0.0);
-      joints.Shares.array().colwise() /= joints.Shares.rowwise().sum().array().eval();
+      joints.Shares = SmoothShares(joints.Grid, joints.Shares, *this->P, o.threads);
     }
     joints.Grid.FactorPoisson(o.threads);
   };

@@ -37,20 +37,6 @@ TriangleMesh TwoBalls(double edge)
   return Meshes::Isosurface(distance, { -2.03, -1.11, -1.11 }, { 2.0, 1.1, 1.1 }, edge);
 }
 
-/// A ball with four limbs and a head, each along an axis of its own.
-TriangleMesh Doll()
-{
-  const auto distance = [](const Vector& x)
-  {
-    return std::min({ x.norm() - 1.0, (x - Vector(0, 1.6, 0)).norm() - 0.8,
-      Meshes::Capsule(x, { 0, 0, 0 }, { 2.4, 0.2, 0 }, 0.28),
-      Meshes::Capsule(x, { 0, 0, 0 }, { -2.4, 0.2, 0 }, 0.28),
-      Meshes::Capsule(x, { 0, 0, 0 }, { 0.8, -2.4, 0 }, 0.3),
-      Meshes::Capsule(x, { 0, 0, 0 }, { -0.8, -2.4, 0 }, 0.3) });
-  };
-  return Meshes::Isosurface(distance, { -2.9, -2.9, -1.2 }, { 2.9, 2.6, 1.2 }, 0.09);
-}
-
 /// Whether each point has the part that its place says.
 template <typename Expected>
 double ShareOfAgreement(
@@ -116,7 +102,7 @@ void CheckConvexThings()
 
 void CheckDoll()
 {
-  const TriangleMesh mesh = Doll();
+  const TriangleMesh mesh = Meshes::Doll();
   const SurfacePartsResult parts = PartsOf(mesh);
   CHECK(parts.count == 6, "a doll should have 6 parts, not " << parts.count);
   const auto expected = [](const Vector& x)

@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPartSizesFilter.h"
+
+#include "Frame.h"
+#include "ModelSize.h"
+#include "Orientation.h"
+#include "PartSizes.h"
+#include "vtkFilterSupport.h"
+#include "vtkIdValues.h"
+#include "vtkMovedSurface.h"
+#include "vtkSurfaceMeshConversion.h"
+
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using SphericalStyle::Points;
+using namespace vtkFilterSupport;
+
+vtkStandardNewMacro(vtkPartSizesFilter);
+
+namespace
+{
+constexpr std::size_t MaximumNumberOfParts = 256; // each costs a field to smooth
+
+std::string Text(double number)
+{
+  std::ostringstream text;
+  text.precision(15);
+  text << number;
+  return text.str();
+}
+
+/// "0, 1, 2", the first ten.
+std::string List(const std::vector<vtkIdType>& numbers)
+{
+  constexpr std::size_t Most = 10;
+  std::string list;
+  for (std::size_t k = 0; k < std::min(numbers.size(), Most); ++k)
+  {
+    list += (k > 0 ? ", " : "") + std::to_string(numbers[k]);
+  }
+  return list + (numbers.size() > Most ? ", ..." : "");
+}
+}
+
+/// What the array says, and the sizes.
+struct vtkResizedParts
+{
+  std::vector<int> OfPoints;      // of each mesh point, a place in the next
+  std::vector<vtkIdType> Numbers; // in the array, ascending
+  Eigen::VectorXd Sizes;          // as wanted
+
+  int Count() const { return static_cast<int>(this->Numbers.size()); }
+  /// Of the part of that number; Count() if there is none.
+  int Find(double number) const
+  {
+    const auto found = std::find_if(this->Numbers.begin(), this->Numbers.end(),
+      [=](vtkIdType known) { return static_cast<double>(known) == number; });
+    return static_cast<int>(found - this->Numbers.begin());
+  }
+  /// Of each part, the extent along an axis.
+  std::vector<double> Heights(const Points& P, int axis) const
+  {
+    std::vector<double> low(this->Numbers.size(), HUGE_VAL);
+    std::vector<double> heights(this->Numbers.size(), -HUGE_VAL);
+    for (std::size_t i = 0; i < this->OfPoints.size(); ++i)
+    {
+      const double x = P(static_cast<Eigen::Index>(i), axis);
+      low[this->OfPoints[i]] = std::min(low[this->OfPoints[i]], x);
+      heights[this->OfPoints[i]] = std::max(heights[this->OfPoints[i]], x);
+    }
+    std::transform(heights.begin(), heights.end(), low.begin(), heights.begin(), std::minus<>());
+    return heights;
+  }
+};
+
+namespace
+{
+/// [sizes] HeadHeight @param P  in the frame @param number  of the head, or -1
+/// @throw std::invalid_argument
+void SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
+  const SphericalStyle::Triangles& F, int number, int axis, double wanted, vtkResizedParts& parts)
+{
+  const int known = number < 0 ? -1 : parts.Find(number);
+  if (known == parts.Count())
+  {
+    throw std::invalid_argument(
+      "Head: there is no part " + std::to_string(number) + "; there are " + List(parts.Numbers));
+  }
+  const SphericalStyle::Head head = SphericalStyle::FindHead(
+    sized, P, SphericalStyle::OrientAlike(P, F), parts.OfPoints, parts.Count(), axis, known);
+  const double factor =
+    SphericalStyle::FactorForHeightRatio(sized, parts.Sizes, parts.OfPoints, head, axis, wanted);
+  if (factor == 0.0)
+  {
+    throw std::invalid_argument("HeadHeight: part " + std::to_string(parts.Numbers[head.part]) +
+      " cannot be made " + Text(wanted) +
+      " times as high as the rest by a factor between 1/20 and 20; see Head and UpAxis");
+  }
+  parts.Sizes(head.part) *= factor;
+  for (const int k : head.along)
+  {
+    parts.Sizes(k) *= factor;
+  }
+}
+}
+
+vtkPartSizesFilter::vtkPartSizesFilter()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkPartSizesFilter::~vtkPartSizesFilter() = default;
+
+void vtkPartSizesFilter::SetPartSize(double part, double size)
+{
+  const auto [at, isNew] = this->Sizes.emplace(part, size);
+  if (isNew || at->second != size)
+  {
+    at->second = size;
+    this->Modified();
+  }
+}
+
+double vtkPartSizesFilter::GetPartSize(double part)
+{
+  const auto found = this->Sizes.find(part);
+  return found == this->Sizes.end() ? 1.0 : found->second;
+}
+
+void vtkPartSizesFilter::RemoveAllPartSizes()
+{
+  if (!this->Sizes.empty())
+  {
+    this->Sizes.clear();
+    this->Modified();
+  }
+}
+
+int vtkPartSizesFilter::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+int vtkPartSizesFilter::RequestWholeData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return RunGuarded(this, outputVector, [&] { return this->Execute(inputVector, outputVector); });
+}
+
+int vtkPartSizesFilter::Execute(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  namespace Conversion = vtkSurfaceMeshConversion;
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  if (!IsSurface(this, inputVector[0]))
+  {
+    return 0;
+  }
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  this->CheckProperties();
+  const vtkSurfaceMesh surface = Conversion::FromPolyData(input, true);
+  vtkResizedParts parts = this->TakeParts(input, surface);
+  Warn(this, Conversion::FannedRemark(surface));
+  Warn(this, Conversion::SkippedRemark(surface));
+  Points Q = surface.Mesh.P;
+  if (surface.Mesh.F.rows() > 0)
+  {
+    const SphericalStyle::Frame frame = SphericalStyle::FrameOf(surface.Mesh.P);
+    const Points P = frame.Into(surface.Mesh.P);
+    const int threads = ThreadsToUse(this->NumberOfThreads);
+    this->SetProgressText("Resizing parts");
+    this->UpdateProgress(0.1);
+    const SphericalStyle::PartSizes sized(
+      P, surface.Mesh.F, parts.OfPoints, parts.Count(), this->BlendWidth, threads);
+    this->UpdateProgress(0.8);
+    if (Aborted(this))
+    {
+      return 1; // nothing comes out, as everywhere in VTK
+    }
+    if (this->HeadHeight > 0.0)
+    {
+      SizeHead(sized, P, surface.Mesh.F, this->Head, this->UpAxis, this->HeadHeight, parts);
+    }
+    if ((parts.Sizes.array() != 1.0).any()) // else to the bit
+    {
+      Points moved = sized.Sized(parts.Sizes);
+      SphericalStyle::SizeOptions place;
+      place.upAxis = this->UpAxis;
+      place.keepOnGround = this->KeepOnGround;
+      std::vector<int> all(P.rows());
+      std::iota(all.begin(), all.end(), 0);
+      SphericalStyle::RestoreSize(P, surface.Mesh.F, all, {}, place, 1.0, threads, moved);
+      Q = frame.OutOf(std::move(moved));
+    }
+  }
+  output->ShallowCopy(input);
+  vtkMovedSurface::Fill(this, output, surface, Q);
+  Conversion::AddDisplacement(output, input);
+
+  vtkTable* table = vtkTable::GetData(outputVector, 1);
+  table->Initialize(); // an observer of progress may have asked for an update, which filled it
+  vtkNew<vtkIdTypeArray> number;
+  vtkNew<vtkDoubleArray> size, before, after;
+  const std::vector<double> heights = parts.Heights(surface.Mesh.P, this->UpAxis);
+  const std::vector<double> newHeights = parts.Heights(Q, this->UpAxis);
+  for (int k = 0; k < parts.Count(); ++k)
+  {
+    number->InsertNextValue(parts.Numbers[k]);
+    size->InsertNextValue(parts.Sizes(k));
+    before->InsertNextValue(heights[k]);
+    after->InsertNextValue(newHeights[k]);
+  }
+  AddColumn(table, number, "Part");
+  AddColumn(table, size, "Size");
+  AddColumn(table, before, "HeightBefore");
+  AddColumn(table, after, "Height");
+  return 1;
+}
+
+void vtkPartSizesFilter::CheckProperties() const
+{
+  for (const auto& [part, size] : this->Sizes)
+  {
+    Require(
+      size > 0.0 && std::isfinite(size), ("Size of part " + Text(part)).c_str(), "above 0", size);
+  }
+  Require(this->HeadHeight >= 0.0 && std::isfinite(this->HeadHeight), "HeadHeight", "0 or more",
+    this->HeadHeight);
+  Require(this->BlendWidth >= 0.01 && this->BlendWidth <= 1.0, "BlendWidth", "in 0.01..1",
+    this->BlendWidth);
+}
+
+/// @throw std::invalid_argument
+vtkResizedParts vtkPartSizesFilter::TakeParts(vtkPolyData* input, const vtkSurfaceMesh& surface)
+{
+  constexpr const char* Purpose = "Part id";
+  vtkResizedParts parts;
+  vtkDataArray* array =
+    vtkSurfaceMeshConversion::FindPointArray(this->GetInputArrayInformation(0), input, Purpose);
+  if (!array)
+  {
+    array = input->GetPointData()->GetArray("PartId");
+  }
+  if (!array)
+  {
+    throw std::invalid_argument(
+      "Part id: there is no point array \"PartId\"; make one with Surface Parts, or choose "
+      "another one (PartArray, input array to process 0)");
+  }
+  const vtkIdValues given(array, Purpose, input->GetNumberOfPoints(), "point");
+  parts.OfPoints = vtkIdValues::Ranks(given.OfMesh(surface), parts.Numbers);
+  if (parts.Numbers.size() > MaximumNumberOfParts)
+  {
+    throw std::invalid_argument(given.GetName() + " has " + std::to_string(parts.Numbers.size()) +
+      " different values; there can be " + std::to_string(MaximumNumberOfParts) + " parts");
+  }
+  parts.Sizes = Eigen::VectorXd::Ones(parts.Count());
+  for (const auto& [part, size] : this->Sizes)
+  {
+    const int at = parts.Find(part);
+    if (at < parts.Count())
+    {
+      parts.Sizes(at) = size;
+    }
+    else if (parts.Count() > 0)
+    {
+      Warn(this,
+        "There is no part " + Text(part) + " to be resized; there are " + List(parts.Numbers));
+    }
+  }
+  return parts;
+}
+
+void vtkPartSizesFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PartSizes:";
+  for (const auto& [part, size] : this->Sizes)
+  {
+    os << " " << part << ": " << size;
+  }
+  os << "\n";
+  os << indent << "BlendWidth: " << this->BlendWidth << "\n";
+  os << indent << "HeadHeight: " << this->HeadHeight << "\n";
+  os << indent << "Head: " << this->Head << "\n";
+  os << indent << "KeepOnGround: " << OnOff(this->KeepOnGround) << "\n";
+  os << indent << "UpAxis: " << this->UpAxis << "\n";
+}

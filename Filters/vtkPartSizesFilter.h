@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPartSizesFilter
+ * @brief   give each part of a surface a size of its own: a large head, small hands
+ *
+ * Parts are what an array of points says, such as PartId of vtkSurfacePartsFilter. Each part k is
+ * scaled by its size s_k where it is, and moved so that it meets its neighbors at their joints: a
+ * head grows out of its neck, and a hand goes along with its arm. With omega_k the shares of the
+ * parts, which pass into each other over BlendWidth,
+ *
+ *     p' = sum_k omega_k(p) (s_k p + b_k)                                             [sizes]
+ *
+ * The b_k are those for which neighbors agree best at their joints, all of them where these form a
+ * tree; the largest part stays in place. All of it is in closed form. It can be used before
+ * vtkSphericalStyleFilter or after it, which passes the array on.
+ *
+ * Input port 0: vtkPolyData. Triangles, quads, polygons and strips take part; lines, vertices and
+ * points of no face are carried along unmoved. Defects do not matter, as parts pass into each other
+ * on a grid that does not know the triangles. A surface that is spread over processes is gathered
+ * (vtkWholeSurfaceAlgorithm).
+ *
+ * Input array to process 0: the part of each point, 1 component, whole numbers, at most 256
+ * different ones. Coincident points are of the part of the first of them. Default: the one named
+ * PartId.
+ *
+ * Output port 0: vtkPolyData with the cells, point order and every array of the input, the point
+ * array Displacement (3; output minus input point, model length), and normals, recomputed if the
+ * input had some or GenerateNormals is on.
+ *
+ * Output port 1: vtkTable, one row per part: Part (its number in the array), Size, and its extent
+ * along UpAxis before and after, HeightBefore and Height (model length).
+ *
+ * A warning names sizes of parts that do not occur. The bracketed label is that of
+ * Filters/Documentation/PartSizes.md.
+ *
+ * Cost: a pass over the triangles, a factor of some thousand functions of a grid, and a few passes
+ * over the points: about .2 s for 100 000 points.
+ *
+ * @sa vtkSurfacePartsFilter vtkSphericalStyleFilter
+ */
+#ifndef vtkPartSizesFilter_h
+#define vtkPartSizesFilter_h
+
+#include "SphericalStyleFiltersModule.h" // for export macro
+#include "vtkSetRangeMacro.h"            // for its macro
+#include "vtkStyleAlgorithm.h"
+
+#include <map> // for std::map
+
+class vtkPolyData;
+struct vtkResizedParts;
+struct vtkSurfaceMesh;
+
+class SPHERICALSTYLEFILTERS_EXPORT vtkPartSizesFilter : public vtkStyleAlgorithm
+{
+public:
+  static vtkPartSizesFilter* New();
+  vtkTypeMacro(vtkPartSizesFilter, vtkStyleAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum UpAxes
+  {
+    X_AXIS = 0,
+    Y_AXIS = 1,
+    Z_AXIS = 2
+  };
+
+  ///@{
+  /**
+   * How large a part becomes, as a multiple of what it is: 1.6 for a large head. No unit, above 0;
+   * another one is an error. All other parts have size 1. The part is its number in the array, a
+   * whole one; numbers that do not occur lead to a warning.
+   */
+  void SetPartSize(double part, double size);
+  double GetPartSize(double part);
+  void RemoveAllPartSizes();
+  ///@}
+
+  ///@{
+  /**
+   * How far parts pass into each other, as a fraction of the diagonal of the bounds. Wider is
+   * softer: a border that is as wide as a neck is thick bends it least. Range .01..1, default .05.
+   */
+  vtkSetRangeMacro(BlendWidth, double, 0.01, 1.0);
+  vtkGetMacro(BlendWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Chibi by numbers: the height of the head over that of the rest, both along UpAxis in the
+   * output; .5 makes a figure three heads high. The sizes of the head and of what hangs on it, such
+   * as ears, are multiplied by what it takes. 0 (default): they are not. Not below 0; an error
+   * where nothing between 1/20 and 20 will do.
+   */
+  vtkSetMacro(HeadHeight, double);
+  vtkGetMacro(HeadHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * The part that is the head for HeadHeight. -1 (default): the one whose center is highest along
+   * UpAxis, of those that enclose a twentieth of what the largest one does, so that ears and hands
+   * are none.
+   */
+  vtkSetMacro(Head, int);
+  vtkGetMacro(Head, int);
+  ///@}
+
+  ///@{
+  /**
+   * Move the result along UpAxis so that its lowest point lies on the level of the model's lowest
+   * point. Default off.
+   */
+  vtkSetMacro(KeepOnGround, bool);
+  vtkGetMacro(KeepOnGround, bool);
+  vtkBooleanMacro(KeepOnGround, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The axis that points up, for heads, heights and KeepOnGround: X, Y (default) or Z.
+   */
+  vtkSetRangeMacro(UpAxis, int, X_AXIS, Z_AXIS);
+  vtkGetMacro(UpAxis, int);
+  void SetUpAxisToX() { this->SetUpAxis(X_AXIS); }
+  void SetUpAxisToY() { this->SetUpAxis(Y_AXIS); }
+  void SetUpAxisToZ() { this->SetUpAxis(Z_AXIS); }
+  ///@}
+
+protected:
+  vtkPartSizesFilter();
+  ~vtkPartSizesFilter() override;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkPartSizesFilter(const vtkPartSizesFilter&) = delete;
+  void operator=(const vtkPartSizesFilter&) = delete;
+
+  /// RequestData, which turns what this throws into a message.
+  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  void CheckProperties() const;
+  vtkResizedParts TakeParts(vtkPolyData* input, const vtkSurfaceMesh& surface);
+
+  std::map<double, double> Sizes; // that are set
+  double BlendWidth = 0.05;
+  double HeadHeight = 0.0;
+  int Head = -1;
+  bool KeepOnGround = false;
+  int UpAxis = Y_AXIS;
+};
+
+#endif

@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// What vtkPartSizesFilter makes of a snowman whose parts are known, in points and table; what it
+/// refuses and passes on. TestPartSizes looks at the formula.
+#include "ArrayTesting.h"
+#include "PropertyTesting.h"
+
+#include "vtkIntArray.h"
+#include "vtkPartSizesFilter.h"
+#include "vtkSphericalStyleFilter.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <sstream>
+
+using namespace FilterTesting;
+
+namespace
+{
+constexpr int Body = 7; // the numbers in the array
+constexpr int HeadPart = 3;
+
+class Sizes : public Watched<vtkPartSizesFilter>
+{
+public:
+  explicit Sizes(vtkPolyData* input) { this->Get()->SetInputData(input); }
+
+  vtkTable* Table()
+  {
+    this->Get()->Update();
+    return vtkTable::SafeDownCast(this->Get()->GetOutputDataObject(1));
+  }
+  double Entry(vtkIdType row, const char* column)
+  {
+    return vtkDataArray::SafeDownCast(this->Table()->GetColumnByName(column))->GetComponent(row, 0);
+  }
+};
+
+Surface Ball(double radius, double y)
+{
+  return Shifted(
+    MakeEllipsoid({ radius, radius, radius }, Faces::Triangles, 48, 25), { 0.0, y, 0.0 });
+}
+
+void Number(vtkPolyData* surface, vtkIdType first, const char* name = "PartId")
+{
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(name);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    ids->InsertNextValue(i < first ? Body : HeadPart);
+  }
+  surface->GetPointData()->AddArray(ids);
+}
+
+/// A ball on another one, with numbers of parts.
+Surface Snowman()
+{
+  const Surface body = Ball(1.0, 0.0);
+  Surface snowman = Together({ body, Ball(0.6, 1.4) });
+  Number(snowman, body->GetNumberOfPoints());
+  return snowman;
+}
+
+/// Lowest and highest of some points along an axis.
+std::pair<double, double> Range(vtkPolyData* surface, int part, int axis = 1)
+{
+  vtkDataArray* ids = surface->GetPointData()->GetArray("PartId");
+  std::pair<double, double> range(HUGE_VAL, -HUGE_VAL);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    if (part < 0 || ids->GetComponent(i, 0) == part)
+    {
+      const double x = PointOf(surface, i)[axis];
+      range = { std::min(range.first, x), std::max(range.second, x) };
+    }
+  }
+  return range;
+}
+
+double Height(vtkPolyData* surface, int part, int axis = 1)
+{
+  const auto [low, high] = Range(surface, part, axis);
+  return high - low;
+}
+
+void OneSize(Checker& check)
+{
+  check.About("one size");
+  const Surface snowman = Snowman();
+  Sizes sizes(snowman);
+  check(SamePoints(sizes.Output(), snowman) && SameCells(sizes.Output(), snowman),
+    "without sizes the surface should stay to the bit");
+  sizes->SetPartSize(HeadPart, 2.0);
+  sizes->SetBlendWidth(0.01);
+  vtkPolyData* output = sizes.Output();
+  check(sizes.Errors.empty() && sizes.Warnings.empty(), "there should be no message");
+  check(SameCells(output, snowman) &&
+      SameArray(
+        output->GetPointData()->GetArray("PartId"), snowman->GetPointData()->GetArray("PartId")),
+    "cells and arrays should pass");
+  check.AtMost(std::abs(Height(output, HeadPart, 0) - 2.4), 0.02, "width of the head beside 2.4");
+  check.AtMost(std::abs(Range(output, Body).first + 1.0), 0.01, "move of the ground");
+  check(sizes.Table()->GetNumberOfRows() == 2 && sizes.Entry(0, "Part") == HeadPart &&
+      sizes.Entry(1, "Part") == Body && sizes.Entry(0, "Size") == 2.0 &&
+      sizes.Entry(1, "Size") == 1.0,
+    "the table should tell the sizes");
+  check.AtMost(std::abs(sizes.Entry(0, "HeightBefore") - Height(snowman, HeadPart)) +
+      std::abs(sizes.Entry(0, "Height") - Height(output, HeadPart)),
+    1e-6, "heights in the table");
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < snowman->GetNumberOfPoints(); ++i)
+  {
+    double moved[3];
+    output->GetPointData()->GetArray("Displacement")->GetTuple(i, moved);
+    for (int k = 0; k < 3; ++k)
+    {
+      largest =
+        std::max(largest, std::abs(PointOf(output, i)[k] - PointOf(snowman, i)[k] - moved[k]));
+    }
+  }
+  check.AtMost(largest, 1e-6, "displacement beside the move");
+  sizes->RemoveAllPartSizes();
+  check(SamePoints(sizes.Output(), snowman), "without sizes again the surface should stay");
+
+  check.About("another place, size and number of threads");
+  const Surface far = Mapped(snowman,
+    [](const Vector& x) {
+      return Vector{ 1e3 * x[0] + 7e3, 1e3 * x[1] - 2e3, 1e3 * x[2] };
+    });
+  sizes->SetPartSize(HeadPart, 2.0);
+  Sizes other(far);
+  other->SetPartSize(HeadPart, 2.0);
+  other->SetBlendWidth(0.01);
+  other->SetNumberOfThreads(3);
+  double off = 0.0;
+  for (vtkIdType i = 0; i < far->GetNumberOfPoints(); ++i)
+  {
+    off = std::max(
+      off, std::abs(PointOf(other.Output(), i)[1] - (1e3 * PointOf(sizes.Output(), i)[1] - 2e3)));
+  }
+  check.AtMost(off, 0.02, "what place and size change");
+}
+
+void OnTheGround(Checker& check)
+{
+  check.About("on the ground");
+  const Surface snowman = Snowman();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Sizes sizes(snowman);
+    sizes->SetPartSize(Body, 1.5);
+    sizes->SetPartSize(HeadPart, 0.5);
+    sizes->SetUpAxis(axis);
+    sizes->KeepOnGroundOn();
+    check.AtMost(std::abs(Range(sizes.Output(), -1, axis).first - Range(snowman, -1, axis).first),
+      1e-6, "height of the ground");
+  }
+}
+
+void HeadHeight(Checker& check)
+{
+  check.About("head to body");
+  const Surface snowman = Snowman();
+  for (const double wanted : { 0.25, 0.5, 1.0 })
+  {
+    Sizes sizes(snowman);
+    sizes->SetHeadHeight(wanted);
+    vtkPolyData* output = sizes.Output();
+    check.AtMost(std::abs(Height(output, HeadPart) / Height(output, Body) / wanted - 1.0), 1e-5,
+      "head to body beside " + Text(wanted));
+    check(sizes.Entry(1, "Size") == 1.0, "the body should keep its size");
+    check.AtMost(std::abs(sizes.Entry(0, "Height") / sizes.Entry(1, "Height") / wanted - 1.0), 1e-5,
+      "the same in the table");
+  }
+  // After rounding, which passes the array on.
+  vtkNew<vtkSphericalStyleFilter> style;
+  style->SetInputData(snowman);
+  vtkNew<vtkPartSizesFilter> after;
+  after->SetInputConnection(style->GetOutputPort());
+  after->SetHeadHeight(0.5);
+  after->Update();
+  check.AtMost(
+    std::abs(Height(after->GetOutput(), HeadPart) / Height(after->GetOutput(), Body) / 0.5 - 1.0),
+    1e-5, "head to body of a rounded model");
+  // The other one as the head.
+  Sizes sizes(snowman);
+  sizes->SetHeadHeight(1.0);
+  sizes->SetHead(Body);
+  check.AtMost(std::abs(Height(sizes.Output(), HeadPart) / Height(sizes.Output(), Body) - 1.0),
+    1e-5, "body to head");
+}
+
+void Refused(Checker& check)
+{
+  const Surface snowman = Snowman();
+  const auto refuse = [&](const char* about, const std::string& words,
+                        const std::function<void(vtkPartSizesFilter*)>& set,
+                        const std::function<void(vtkPartSizesFilter*)>& mend)
+  {
+    check.About(about);
+    Sizes sizes(snowman);
+    set(sizes.Get());
+    sizes.Output();
+    check(sizes.Errors.size() == 1 && Contains(sizes.Errors[0], words),
+      "one error should say \"" + words + "\"" + Joined(sizes.Errors));
+    check(sizes.Output()->GetNumberOfPoints() == 0, "nothing should come out");
+    sizes.Errors.clear();
+    mend(sizes.Get());
+    check(
+      sizes.Output()->GetNumberOfPoints() == snowman->GetNumberOfPoints() && sizes.Errors.empty(),
+      "it should work again" + Joined(sizes.Errors));
+  };
+  const auto clear = [](vtkPartSizesFilter* f) { f->RemoveAllPartSizes(); };
+  for (const double size : { 0.0, -1.0, vtkMath::Nan(), vtkMath::Inf() })
+  {
+    refuse(
+      "a size out of range", "Size of part 3 must be above 0",
+      [=](vtkPartSizesFilter* f) { f->SetPartSize(HeadPart, size); }, clear);
+  }
+  const auto byNumber = [](double ratio)
+  { return [ratio](vtkPartSizesFilter* f) { f->SetHeadHeight(ratio); }; };
+  refuse("a ratio out of range", "HeadHeight must be 0 or more", byNumber(-0.5), byNumber(0.0));
+  refuse("a ratio out of reach", "cannot be made 1000", byNumber(1000.0), byNumber(0.5));
+  refuse(
+    "no such head", "Head: there is no part 5; there are 3, 7",
+    [](vtkPartSizesFilter* f)
+    {
+      f->SetHeadHeight(0.5);
+      f->SetHead(5);
+    },
+    [](vtkPartSizesFilter* f) { f->SetHead(-1); });
+  const auto array = [](const char* name)
+  { return [name](vtkPartSizesFilter* f) { f->SetInputArrayToProcess(0, 0, 0, OfPoints, name); }; };
+  refuse("no such array", "no numeric point array \"Missing\"", array("Missing"), array("PartId"));
+  vtkNew<vtkDoubleArray> halves;
+  halves->SetName("Halves");
+  halves->SetNumberOfValues(snowman->GetNumberOfPoints());
+  halves->FillValue(1.0);
+  halves->SetValue(5, 0.5);
+  snowman->GetPointData()->AddArray(halves);
+  refuse("no whole numbers", "point 5 has 0.5", array("Halves"), array("PartId"));
+  vtkNew<vtkIntArray> each;
+  each->SetName("Each");
+  for (vtkIdType i = 0; i < snowman->GetNumberOfPoints(); ++i)
+  {
+    each->InsertNextValue(static_cast<int>(i));
+  }
+  snowman->GetPointData()->AddArray(each);
+  refuse("a part per point", "there can be 256 parts", array("Each"), array("PartId"));
+
+  check.About("no array");
+  Sizes without(Ball(1.0, 0.0));
+  without.Output();
+  check(without.Errors.size() == 1 && Contains(without.Errors[0], "make one with Surface Parts"),
+    "one error should say how to get one" + Joined(without.Errors));
+
+  check.About("no such part");
+  Sizes sizes(snowman);
+  sizes->SetPartSize(5, 2.0);
+  check(SamePoints(sizes.Output(), snowman) && sizes.Warnings.size() == 1 &&
+      Contains(sizes.Warnings[0], "no part 5 to be resized; there are 3, 7"),
+    "a warning should say so" + Joined(sizes.Warnings));
+}
+
+void WithoutTriangles(Checker& check)
+{
+  check.About("no polygon");
+  const Surface snowman = Snowman();
+  snowman->SetPolys(vtkNew<vtkCellArray>());
+  Sizes sizes(snowman);
+  sizes->SetPartSize(HeadPart, 2.0);
+  check(SamePoints(sizes.Output(), snowman) && sizes.Errors.empty(), "points should stay");
+  check.About("a point of no polygon");
+  const Surface body = Ball(1.0, 0.0);
+  const Surface more = Together({ body, Ball(0.6, 1.4) });
+  more->GetPoints()->InsertNextPoint(3.0, 3.0, 3.0);
+  Number(more, body->GetNumberOfPoints());
+  Sizes alone(more);
+  alone->SetPartSize(HeadPart, 2.0);
+  check(PointOf(alone.Output(), more->GetNumberOfPoints() - 1) == Vector{ 3.0, 3.0, 3.0 } &&
+      alone.Errors.empty(),
+    "it should stay");
+}
+
+void Properties(Checker& check)
+{
+  check.About("properties");
+  using FilterType = vtkPartSizesFilter;
+  vtkNew<FilterType> filter;
+  RoundTrip(BlendWidth, 0.05, 0.2);
+  RoundTrip(HeadHeight, 0.0, 0.5);
+  RoundTrip(Head, -1, 4);
+  RoundTrip(KeepOnGround, false, true);
+  RoundTrip(UpAxis, 1, 2);
+  Mode(UpAxis, X, X_AXIS, 0);
+  Mode(UpAxis, Y, Y_AXIS, 1);
+  Mode(UpAxis, Z, Z_AXIS, 2);
+  Clamped(BlendWidth, 0.0, 0.01);
+  Clamped(BlendWidth, 2.0, 1.0);
+  filter->SetPartSize(4, 1.5);
+  const vtkMTimeType before = filter->GetMTime();
+  filter->SetPartSize(4, 1.5);
+  check(
+    filter->GetMTime() == before && filter->GetPartSize(4) == 1.5 && filter->GetPartSize(5) == 1.0,
+    "a size should be kept, and the same one change nothing");
+  std::ostringstream printed;
+  filter->Print(printed);
+  for (const char* name :
+    { "PartSizes: 4: 1.5", "BlendWidth: ", "HeadHeight: ", "Head: ", "KeepOnGround: ", "UpAxis: " })
+  {
+    check(Contains(printed.str(), std::string(" ") + name),
+      std::string("PrintSelf should print ") + name);
+  }
+}
+}
+
+int TestPartSizesFilter(int, char*[])
+{
+  Checker check;
+  OneSize(check);
+  OnTheGround(check);
+  HeadHeight(check);
+  Refused(check);
+  WithoutTriangles(check);
+  Properties(check);
+  return check.Result();
+}
