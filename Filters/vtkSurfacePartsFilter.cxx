@@ -321,6 +321,7 @@ int vtkSurfacePartsFilter::Execute(
   const std::vector<PartMeasures> parts = PutInOrder(surface, found);
   AddPartIds(output->GetPointData(), found.OfPoints);
   AddPartIds(output->GetCellData(), found.OfCells);
+  output->GetCellData()->SetActiveScalars("PartId"); // so that Apply shows the parts
   MakeTable(table, parts);
   return 1;
 }

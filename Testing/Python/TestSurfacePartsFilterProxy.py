@@ -63,6 +63,7 @@ assert by_array.SMProxy.GetClientSideObject().GetMethod() == 2
 controller = vtkSMParaViewPipelineControllerWithRendering()
 view = CreateRenderView()
 assert controller.ShowInPreferredView(parts.SMProxy, 0, view.SMProxy) is not None
+assert list(GetDisplayProperties(parts, view=view).ColorArrayName) == ["CELLS", "PartId"]
 assert controller.ShowInPreferredView(parts.SMProxy, 1, view.SMProxy) is None
 assert len(GetViews()) == 1
 
