@@ -46,7 +46,8 @@ def main():
         try:
             wait_for(server, log)
             code = subprocess.run([a.replace("PORT", str(port)) for a in client], check=False).returncode
-            server.wait(timeout=SECONDS_TO_END)
+            if code == 0:  # else it may never have connected
+                server.wait(timeout=SECONDS_TO_END)
         except (RuntimeError, subprocess.TimeoutExpired) as error:
             print(error)
             code = 1
