@@ -73,6 +73,8 @@ def run_all():
             assert name == "ConvexProxyDeform", name  # needs CGAL
             continue
         model = XMLPolyDataReader(FileName=[os.path.join(DATA, "creature.vtp")])
+        if name == "PartSizes":
+            model, properties = SurfaceParts(Input=model), {**properties, "PartSize": [1, 1.3]}
         proxy = globals()[name](Input=model, **properties)
         UpdatePipeline(proxy=proxy)
         outputs = [contents(servermanager.Fetch(proxy, idx=k)) for k in range(proxy.SMProxy.GetNumberOfOutputPorts())]

@@ -10,7 +10,7 @@ import re
 import sys
 
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonCore import VTK_STRING
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkIntArray
 from vtkmodules.vtkCommonDataModel import (vtkDataAssembly, vtkImageData, vtkMultiBlockDataSet, vtkPartitionedDataSet,
                                            vtkPartitionedDataSetCollection, vtkPolyData)
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
@@ -30,7 +30,13 @@ def model(name):
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(os.path.join(sys.argv[1], f"{name}.vtp"))
     reader.Update()
-    return reader.GetOutput()
+    surface = reader.GetOutput()
+    parts = vtkIntArray()  # for those that want to know
+    parts.SetName("PartId")
+    for i in range(surface.GetNumberOfPoints()):
+        parts.InsertNextValue(2 * i // surface.GetNumberOfPoints())
+    surface.GetPointData().AddArray(parts)
+    return surface
 
 
 class Run:

@@ -33,6 +33,8 @@ def traced(filter_name, properties):
     """What the window does: make, show, change, apply, with the trace on. @return the trace's text"""
     smtrace.start_trace()
     model = OpenDataFile(os.path.join(data, "snowman.vtp"))
+    if filter_name == "PartSizes":
+        model = SurfaceParts(Input=model)
     proxy = globals()[filter_name](registrationName="Traced", Input=model)
     Show(proxy, GetActiveViewOrCreate("RenderView"))
     change = smtrace.PropertiesModified(proxy)  # as Apply does
@@ -50,6 +52,7 @@ CASES = {
     ],
     "ConvexProxyDeform": [{"Blend": 0.3, "Transfer": "Offset"}],
     "SurfaceDiagnostics": [{"SliverAngle": 5.0}],
+    "PartSizes": [{"PartSize": [1.0, 1.5, 2.0, 0.7]}],
 }
 CASES |= {entry["proxy"]: [{}] for entry in SURFACE_FILTERS.values() if entry["proxy"] not in CASES}
 tried = 0
