@@ -74,7 +74,7 @@ class Watched:
 def run(check, name, model, surface, settings):
     """One filter for all settings, as a user moves sliders: a row of the table."""
     watched = Watched(name)
-    watched.filter.SetInputData(surface)
+    surfaces.take(watched.filter, surface)
     said = collections.Counter()
     start = time.perf_counter()
     for properties in settings:

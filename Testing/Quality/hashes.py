@@ -81,7 +81,7 @@ def of(output):
 def results(surface, kind, properties):
     """The outputs of a filter, and the first letter of each of its errors and warnings."""
     algorithm = getattr(sphericalstyle, kind)()
-    algorithm.SetInputData(surface)
+    surfaces.take(algorithm, surface)
     surfaces.set_properties(algorithm, properties)
     messages = []
     for event in ("ErrorEvent", "WarningEvent"):

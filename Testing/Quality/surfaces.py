@@ -163,6 +163,20 @@ def set_properties(algorithm, properties):
             getattr(algorithm, "Set" + name)(value)
 
 
+def take(algorithm, surface):
+    """Gives it the surface; for vtkPartSizesFilter one with two parts, either side of the middle."""
+    if algorithm.IsA("vtkPartSizesFilter"):
+        x = points(surface)
+        array = numpy_to_vtk((x[:, 0] > x[:, 0].mean()).astype(np.int32), deep=True)
+        array.SetName("PartId")
+        numbered = surface.NewInstance()
+        numbered.ShallowCopy(surface)
+        numbered.GetPointData().AddArray(array)
+        surface = numbered
+        algorithm.SetPartSize(1, 1.3)
+    algorithm.SetInputData(surface)
+
+
 def prepared(algorithm, x, F, properties):
     algorithm.SetInputData(polydata(x, F))
     algorithm.SetOutputPointsPrecision(1)
