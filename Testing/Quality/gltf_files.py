@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Adds a slider to glTF files of others, and checks that nothing else changes.
 
-usage: gltf_files.py [--preset NAME] [--output FOLDER] FILE...
+usage: gltf_files.py [--preset NAME] [--output FOLDER] [--pictures] FILE...
 
 For each file: its meshes, skins, targets and animations; the targets added, their error and jump, seconds, and what
-Khronos' validator says of the file before and after, if $SPHERICALSTYLE_GLTF_VALIDATOR is the folder node_modules that
-"npm install gltf-validator" makes. Ends with 1 if JSON or buffers have changed besides the targets, or if the validator
-finds an error that it has not found before. The models of https://github.com/KhronosGroup/glTF-Sample-Models will do.
+Khronos' validator says of the file before and after, if $SPHERICALSTYLE_NODE_MODULES is the folder node_modules that
+"npm install gltf-validator three" makes. Ends with 1 if JSON or buffers have changed besides the targets, or if the
+validator finds an error that it has not found before. The models of
+https://github.com/KhronosGroup/glTF-Sample-Models will do. --pictures shows each new file in three.js and Chromium, as
+NAME-slider.glb.png with the slider at Roundness 0, 0.3, 1, 2 and 4.9.
 """
 import argparse
 import os
@@ -20,7 +22,11 @@ import warnings
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Python"))
 import GLTFFiles
+import SliderViewers
 import sphericalstyle as ss
+
+PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Filters", "Documentation", "GLTF.md")
+SHOWN = (0, 0.3, 1, 2, 4.9)
 
 
 def issues(modules, files):
@@ -43,7 +49,15 @@ def copied(path, folder):
     return os.path.join(place, os.path.basename(path))
 
 
-def check(path, folder, preset, modules):
+def show(file, picture):
+    """A picture of the file with the slider at several places."""
+    modules = SliderViewers.find_three()
+    assert modules, "pictures need Chromium, and three in $SPHERICALSTYLE_NODE_MODULES"
+    seen, = SliderViewers.in_three(modules, [file], SHOWN, SliderViewers.function_of(PAGE))
+    SliderViewers.sheet([shown["picture"] for shown in seen["shown"]], picture, len(SHOWN))
+
+
+def check(path, folder, preset, modules, pictures):
     path = copied(path, folder)
     target = "-slider".join(os.path.splitext(path))
     before, old = GLTFFiles.load(path)
@@ -62,6 +76,8 @@ def check(path, folder, preset, modules):
           f" | {len(before.get('animations', []))} | {slider.targets} | {slider.error:.2g} | {slider.jump:.2g}"
           f" | {seconds:.2f} | {errors}, {warnings_} | {more_errors}, {more_warnings}"
           f" | {'kept' if kept else 'CHANGED'} | {', '.join(changed) or 'kept'} |", flush=True)
+    if pictures:
+        show(target, os.path.join(folder, os.path.basename(target) + ".png"))
     return kept and not changed and more_errors <= errors
 
 
@@ -69,6 +85,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--preset", default="Toy", help="default: %(default)s")
     parser.add_argument("--output", metavar="FOLDER", help="keep the new files there")
+    parser.add_argument("--pictures", action="store_true", help="show the new files in a browser")
     parser.add_argument("files", nargs="+", metavar="FILE")
     arguments = parser.parse_args()
     warnings.simplefilter("ignore", ss.StyleWarning)  # of thin parts
@@ -81,7 +98,7 @@ def main():
     good = True
     for path in arguments.files:
         try:
-            good = check(path, folder, arguments.preset, modules) and good
+            good = check(path, folder, arguments.preset, modules, arguments.pictures) and good
         except ss.Error as error:
             print(f"| {os.path.basename(path)} | {error} |", flush=True)
             good = False
