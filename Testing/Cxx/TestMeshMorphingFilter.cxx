@@ -404,13 +404,21 @@ void TestInvertedInput(Checker& check)
     }
     both->InsertNextCell(VTK_TETRA, ids);
   }
+  {
+    Morphing morphing(both, Moved(SurfaceOf(both), Rigid));
+    check(morphing.Errors.empty() && morphing.Warnings.empty() &&
+        morphing->GetNumberOfInvertedCells() == 0,
+      "a cell that is only numbered the other way round is none");
+  }
+  // A corner of the cube, pulled through the faces opposite to it in its two tetrahedra.
+  both->GetPoints()->SetPoint(1, -0.4, 0.6, 0.6);
   Morphing morphing(both, Moved(SurfaceOf(both), Rigid));
   check(morphing.Errors.empty(), "that is no error");
   check(morphing.Warnings.size() == 1 &&
-      Contains(morphing.Warnings[0], "as in the input, 1 cell") &&
-      Contains(morphing.Warnings[0], "cell 3"),
+      Contains(morphing.Warnings[0], "as in the input, 2 cells") &&
+      Contains(morphing.Warnings[0], "cell 0"),
     "a warning should name the cell");
-  check(morphing->GetNumberOfInvertedCells() == 1, "and the fact count it");
+  check(morphing->GetNumberOfInvertedCells() == 2, "and the fact count them");
 }
 
 struct Bad
