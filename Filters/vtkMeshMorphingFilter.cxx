@@ -17,6 +17,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -315,6 +316,12 @@ void vtkMeshMorphingFilter::MoveVolume(Execution& e)
       message << "point " << i << " on the boundary of the volume is no point of the surface, of "
               << "which the nearest is " << distance << " away; take the surface of this input "
               << "(Extract Surface), rounded in one piece";
+      auto* controller = vtkMultiProcessController::GetGlobalController();
+      if (controller && controller->GetNumberOfProcesses() > 1)
+      {
+        message << ". A mesh that is spread over processes has a boundary where its parts meet: "
+                << "bring it to one process (Aggregate Dataset) before Extract Surface";
+      }
       throw std::invalid_argument(message.str());
     }
     displacements.row(i) = e.Surface.Displacements.row(k);

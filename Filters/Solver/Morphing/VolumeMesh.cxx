@@ -250,7 +250,8 @@ bool OrientCells(VolumeMesh& mesh)
         if (!reached[neighbor.Cell])
         {
           reached[neighbor.Cell] = 1;
-          turned[neighbor.Cell] = turned[cell] != (neighbor.Agrees ? 0 : 1);
+          turned[neighbor.Cell] =
+            neighbor.Agrees ? turned[cell] : static_cast<char>(1 - turned[cell]);
           cells.push_back(neighbor.Cell);
         }
       }
