@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -149,6 +150,63 @@ Eigen::Matrix3d MiddleAxes(const int* ids, const Points& P)
   }
   return axes;
 }
+
+void Mirror(VolumeMesh& mesh, int cell)
+{
+  int* ids = &mesh.Ids[mesh.Offsets[cell]];
+  for (const auto& [a, b] : MirrorOf(mesh.Shapes[cell]))
+  {
+    std::swap(ids[a], ids[b]);
+  }
+}
+
+struct Neighbor
+{
+  int Cell;
+  int Turn; ///< 1, or -1 where both pass their face in the same direction
+};
+
+/// Of each cell, those that have a face with it and with no other cell.
+std::vector<std::vector<Neighbor>> NeighborsOf(const VolumeMesh& mesh)
+{
+  std::vector<std::vector<Neighbor>> neighbors(mesh.GetNumberOfCells());
+  const std::vector<CellFace> faces = AllFaces(mesh);
+  ForSame(faces,
+    [&](std::size_t begin, std::size_t end)
+    {
+      const CellFace& a = faces[begin];
+      const CellFace& b = faces[end - 1];
+      if (end == begin + 2)
+      {
+        const int turn = a.Forward != b.Forward ? 1 : -1;
+        neighbors[a.Cell].push_back({ b.Cell, turn });
+        neighbors[b.Cell].push_back({ a.Cell, turn });
+      }
+    });
+  return neighbors;
+}
+
+/// Sets the turns, 1 or -1, that make the cells agree that hang together with the first one.
+/// @param turns  0 for cells that have none yet @return these cells
+std::vector<int> Agree(
+  const std::vector<std::vector<Neighbor>>& neighbors, int first, std::vector<int>& turns)
+{
+  std::vector<int> cells = { first };
+  turns[first] = 1;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+  {
+    const int cell = cells[k];
+    for (const Neighbor& neighbor : neighbors[cell])
+    {
+      if (turns[neighbor.Cell] == 0)
+      {
+        turns[neighbor.Cell] = turns[cell] * neighbor.Turn;
+        cells.push_back(neighbor.Cell);
+      }
+    }
+  }
+  return cells;
+}
 } // namespace
 
 int NumberOfPoints(CellShape shape)
@@ -211,61 +269,24 @@ bool OrientCells(VolumeMesh& mesh)
   {
     return false;
   }
-  struct Neighbor
-  {
-    int Cell;
-    bool Agrees;
-  };
-  std::vector<std::vector<Neighbor>> neighbors(count);
-  const std::vector<CellFace> faces = AllFaces(mesh);
-  ForSame(faces,
-    [&](std::size_t begin, std::size_t end)
-    {
-      const CellFace& a = faces[begin];
-      const CellFace& b = faces[end - 1];
-      if (end == begin + 2)
-      {
-        neighbors[a.Cell].push_back({ b.Cell, a.Forward != b.Forward });
-        neighbors[b.Cell].push_back({ a.Cell, a.Forward != b.Forward });
-      }
-    });
+  const std::vector<std::vector<Neighbor>> neighbors = NeighborsOf(mesh);
+  std::vector<int> turns(count, 0); // 1 or, against the first cell that it hangs together with, -1
   bool any = false;
-  std::vector<char> reached(count, 0);
-  std::vector<char> turned(count, 0); // against the first cell of those that hang together
   for (int first = 0; first < count; ++first)
   {
-    if (reached[first])
+    if (turns[first] != 0)
     {
       continue;
     }
-    std::vector<int> cells = { first };
-    reached[first] = 1;
-    double volume = 0.0;
-    for (std::size_t k = 0; k < cells.size(); ++k)
-    {
-      const int cell = cells[k];
-      volume += turned[cell] ? -volumes[cell] : volumes[cell];
-      for (const Neighbor& neighbor : neighbors[cell])
-      {
-        if (!reached[neighbor.Cell])
-        {
-          reached[neighbor.Cell] = 1;
-          turned[neighbor.Cell] =
-            neighbor.Agrees ? turned[cell] : static_cast<char>(1 - turned[cell]);
-          cells.push_back(neighbor.Cell);
-        }
-      }
-    }
+    const std::vector<int> cells = Agree(neighbors, first, turns);
+    const double volume = std::accumulate(cells.begin(), cells.end(), 0.0,
+      [&](double sum, int cell) { return sum + turns[cell] * volumes[cell]; });
     for (const int cell : cells)
     {
-      if ((turned[cell] != 0) != (volume < 0.0))
+      if ((turns[cell] < 0) != (volume < 0.0))
       {
         any = true;
-        int* ids = &mesh.Ids[mesh.Offsets[cell]];
-        for (const auto& [a, b] : MirrorOf(mesh.Shapes[cell]))
-        {
-          std::swap(ids[a], ids[b]);
-        }
+        Mirror(mesh, cell);
       }
     }
   }
