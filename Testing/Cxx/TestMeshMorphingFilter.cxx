@@ -7,6 +7,7 @@
 #include "vtkMeshMorphingFilter.h"
 
 #include "vtkCellTypes.h"
+#include "vtkClipDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -14,6 +15,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSMPTools.h"
+#include "vtkSphere.h"
 #include "vtkSphereSource.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
@@ -410,6 +412,22 @@ void TestInvertedInput(Checker& check)
     check(morphing.Errors.empty() && morphing.Warnings.empty() &&
         morphing->GetNumberOfInvertedCells() == 0,
       "a cell that is only numbered the other way round is none");
+  }
+  for (const int type : { VTK_HEXAHEDRON, VTK_TETRA }) // some of what Clip makes of these is, too
+  {
+    vtkNew<vtkSphere> ball;
+    ball->SetCenter(0.4, 0.5, 0.6);
+    ball->SetRadius(0.37);
+    vtkNew<vtkClipDataSet> clip;
+    clip->SetInputData(MakeCube(5, type));
+    clip->SetClipFunction(ball);
+    clip->InsideOutOn();
+    clip->Update();
+    const Grid part = clip->GetOutput();
+    Morphing morphing(part, Moved(SurfaceOf(part), Rigid));
+    check(morphing.Errors.empty() && morphing.Warnings.empty() &&
+        morphing->GetSmallestScaledJacobianBefore() > 0.0,
+      "no cell of a part that was clipped is inverted");
   }
   // A corner of the cube, pulled through the faces opposite to it in its two tetrahedra.
   both->GetPoints()->SetPoint(1, -0.4, 0.6, 0.6);
