@@ -72,7 +72,16 @@ for (const file of asked.files) {
       played.push(meshes[0].morphTargetInfluences.slice());
     }
   }
-  results.push({ opened, shown, played, center: center.toArray(), half });
+  const triangles = [];
+  let first = 0; // point of the mesh
+  for (const { geometry, matrixWorld } of meshes) {
+    const count = geometry.attributes.position.count, index = geometry.index;
+    const corners = Array.from({ length: index ? index.count : count }, (_, k) => first + (index ? index.getX(k) : k));
+    for (let k = 0; k < corners.length; k += 3)
+      triangles.push(matrixWorld.determinant() < 0 ? [corners[k], corners[k + 2], corners[k + 1]] : corners.slice(k, k + 3));
+    first += count;
+  }
+  results.push({ opened, shown, played, triangles, center: center.toArray(), half });
 }
 send({ results, revision: THREE.REVISION });
 </script>"""
@@ -216,8 +225,8 @@ def _decoded(shown):
 
 def in_three(modules, files, roundness, function, played=()):
     """What three.js shows of files in one folder: for each a dictionary with opened (weights when it is opened), shown
-    (points, picture and weights for each Roundness), played (weights at these shares of the animation), and center and
-    half, which say what of the x-y plane is in the picture: half to each side of the center."""
+    (points, picture and weights for each Roundness), played (weights at these shares of the animation), triangles (of the
+    points), and center and half, which say what of the x-y plane is in the picture: half to each side of the center."""
     folder = os.path.dirname(os.path.abspath(files[0]))
     asked = {"files": [os.path.basename(file) for file in files], "roundness": list(roundness), "played": list(played),
              "size": SIZE}
