@@ -17,6 +17,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -170,7 +171,9 @@ struct vtkMeshMorphingFilter::Execution
   vtkVolumeCells::Volume Volume;
   std::vector<char> Fixed;            ///< points of the boundary
   Eigen::VectorXd Before;             ///< scaled Jacobians
-  SphericalStyle::Matrices Rotations; ///< of the points, where vectors turn
+  bool HasNormals = false;            ///< of points or cells
+  bool Turns = false;                 ///< normals or vectors
+  SphericalStyle::Matrices Rotations; ///< of the points, if any turn
   int Threads = 1;
 };
 
@@ -267,6 +270,8 @@ int vtkMeshMorphingFilter::Execute(
   const auto withoutEmptyArrays = vtkSurfaceMeshConversion::WithoutEmptyArrays(e.Input);
   e.Input = withoutEmptyArrays;
   e.Threads = ThreadsToUse(0);
+  e.HasNormals = e.Input->GetPointData()->GetNormals() || e.Input->GetCellData()->GetNormals();
+  e.Turns = e.HasNormals || this->TransformAllInputVectors;
   e.P = vtkSurfaceMeshConversion::PointsOf(e.Input);
   e.Q = e.P;
   e.Volume = vtkVolumeCells::FromDataSet(e.Input, e.P);
@@ -315,6 +320,12 @@ void vtkMeshMorphingFilter::MoveVolume(Execution& e)
       message << "point " << i << " on the boundary of the volume is no point of the surface, of "
               << "which the nearest is " << distance << " away; take the surface of this input "
               << "(Extract Surface), rounded in one piece";
+      auto* controller = vtkMultiProcessController::GetGlobalController();
+      if (controller && controller->GetNumberOfProcesses() > 1)
+      {
+        message << ". A mesh that is spread over processes has a boundary where its parts meet: "
+                << "bring it to one process (Aggregate Dataset) before Extract Surface";
+      }
       throw std::invalid_argument(message.str());
     }
     displacements.row(i) = e.Surface.Displacements.row(k);
@@ -344,7 +355,7 @@ void vtkMeshMorphingFilter::MoveVolume(Execution& e)
     });
   this->NumberOfIterations = result.iterations;
   e.Q = result.P;
-  if (this->TransformAllInputVectors)
+  if (e.Turns)
   {
     e.Rotations = VolumeRotations(mesh, e.Q, e.Threads);
   }
@@ -380,7 +391,7 @@ void vtkMeshMorphingFilter::MoveOthers(Execution& e)
     {
       e.Q.row(some[k]) += u.row(static_cast<Eigen::Index>(k));
     }
-    if (this->TransformAllInputVectors)
+    if (e.Turns)
     {
       const SphericalStyle::Matrices R = field.RotationsAt(x, e.Threads);
       e.Rotations.resize(e.P.rows(), Eigen::Matrix3d::Identity());
@@ -434,14 +445,18 @@ void vtkMeshMorphingFilter::FillOutput(const Execution& e)
   e.Output->GetPointData()->ShallowCopy(e.Input->GetPointData());
   e.Output->GetCellData()->ShallowCopy(e.Input->GetCellData());
   e.Output->GetFieldData()->ShallowCopy(e.Input->GetFieldData());
+  const auto rotationOf = [&e](vtkIdType i) -> const Eigen::Matrix3d*
+  {
+    const Eigen::Matrix3d& R = e.Rotations[i];
+    return R == Eigen::Matrix3d::Identity() ? nullptr : &R;
+  };
   if (this->TransformAllInputVectors)
   {
-    vtkTurnedArrays::Turn(e.Output,
-      [&e](vtkIdType i) -> const Eigen::Matrix3d*
-      {
-        const Eigen::Matrix3d& R = e.Rotations[i];
-        return R == Eigen::Matrix3d::Identity() ? nullptr : &R;
-      });
+    vtkTurnedArrays::Turn(e.Output, rotationOf);
+  }
+  if (e.HasNormals)
+  {
+    vtkTurnedArrays::TurnNormals(e.Output, rotationOf);
   }
   e.Output->GetPointData()->AddArray(displacement);
   if (!e.Volume.Cells.empty())

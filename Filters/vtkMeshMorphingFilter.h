@@ -82,8 +82,9 @@ public:
    * Turn vectors and tensors with the mesh [turn]: arrays of points and cells of floating-point
    * numbers with 3 components (R v), and with 9 or 6 (R T R^T; 6 are xx, yy, zz, xy, yz, xz). R is
    * the rotation of the volume cells around a point, or of the surface near it, and of a cell the
-   * one closest to the mean of those of its points. Normals, active texture coordinates and what
-   * belongs to points at which nothing moves stay as they are. Default off.
+   * one closest to the mean of those of its points. Active texture coordinates and what belongs to
+   * points at which nothing moves stay as they are, and active normals turn in any case. Default
+   * off.
    */
   vtkSetMacro(TransformAllInputVectors, bool);
   vtkGetMacro(TransformAllInputVectors, bool);

@@ -15,8 +15,8 @@
  * (RefineLongEdges) is written refined.
  *
  * With SourceFileName there is no input: the targets are added to the meshes of that .glb or .gltf.
- * Everything that its scene shows is rounded as one model, skinned meshes in the pose that they
- * were bound in. Textures, materials, skins, other targets and animations stay as they are.
+ * Everything that its scene shows is rounded as one model, skinned meshes in the pose that their
+ * bones have there. Textures, materials, skins, other targets and animations stay as they are.
  *
  * The slider is w = mu / (1 + mu), mu = sqrt(3) Roundness, in 0..1. Without details and scaling
  * (DetailSize 0, KeepSize Off) the result is linear in w: there is one target, Roundness, with the

@@ -20,10 +20,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 using Json = vtkGLTFDocument::Json;
 using Use = vtkGLTFDocument::Use;
@@ -32,6 +34,8 @@ using vtkGLTFScene::Scene;
 
 namespace
 {
+using Matrices = std::vector<Eigen::Matrix4d>;
+
 // ------------------------------------------------------------------------------------ a new file
 /// The numbers of an array, the first components of each tuple.
 std::vector<float> FloatsOf(vtkDataArray* array, int components)
@@ -260,8 +264,7 @@ public:
       if (mesh != vtkGLTFDocument::None)
       {
         this->Document.Item("meshes", mesh, NodeName(node));
-        this->AddMesh(node, taken.insert(mesh).second ? mesh : this->Repeat(node, mesh),
-          this->MatrixOf(node, matrix));
+        this->AddMesh(node, taken.insert(mesh).second ? mesh : this->Repeat(node, mesh), matrix);
       }
     }
     Scene scene;
@@ -288,47 +291,108 @@ private:
     return number;
   }
 
-  /// What brings the points of the node's mesh into the scene. Of a mesh with bones its node does
-  /// not matter: in the pose that they were bound in, all of them move it alike.
-  Eigen::Matrix4d MatrixOf(std::size_t node, const Eigen::Matrix4d& matrix) const
+  /// What brings points into the scene that only one bone moves, for each bone of the node's skin;
+  /// none without a skin.
+  Matrices BonesOf(std::size_t node) const
   {
     const Json& json = this->Document.Root["nodes"][node];
     const std::size_t number =
       vtkGLTFDocument::Number(json, "skin", vtkGLTFDocument::None, NodeName(node));
     if (number == vtkGLTFDocument::None)
     {
-      return matrix;
+      return {};
     }
     const Json& skin = this->Document.Item("skins", number, NodeName(node));
     const std::string owner = "skin " + std::to_string(number);
     const auto joints = skin.find("joints");
-    if (joints == skin.end() || !joints->is_array() || joints->empty() ||
-      !joints->front().is_number_unsigned())
+    if (joints == skin.end() || !joints->is_array() || joints->empty())
     {
       throw std::runtime_error(owner + ": has no joints");
     }
-    Eigen::Matrix4d inverseBind = Eigen::Matrix4d::Identity();
+    std::vector<double> inverseBind;
     if (skin.contains("inverseBindMatrices"))
     {
-      const std::vector<double> values =
+      inverseBind =
         this->Document.Values(vtkGLTFDocument::Index(skin, "inverseBindMatrices", owner), "MAT4");
-      if (values.size() < 16)
+      if (inverseBind.size() < 16 * joints->size())
       {
-        throw std::runtime_error(owner + ": has no inverse bind matrix for its first joint");
+        throw std::runtime_error(owner + ": has " + std::to_string(inverseBind.size() / 16) +
+          " inverse bind matrices for " + std::to_string(joints->size()) + " joints");
       }
-      inverseBind = Eigen::Map<const Eigen::Matrix4d>(values.data());
     }
-    const auto joint = joints->front().get<std::size_t>();
-    for (const auto& [shown, place] : this->All.Shown)
+    const std::map<std::size_t, Eigen::Matrix4d> places(
+      this->All.Shown.begin(), this->All.Shown.end());
+    Matrices bones;
+    bones.reserve(joints->size());
+    for (const Json& joint : *joints)
     {
-      if (shown == joint)
+      if (!joint.is_number_unsigned())
       {
-        return place * inverseBind;
+        throw std::runtime_error(owner + ": its joints are not numbers of nodes");
+      }
+      const auto place = places.find(joint.get<std::size_t>());
+      if (place == places.end())
+      {
+        bones.emplace_back(Eigen::Matrix4d::Identity()); // a bone that is not in the scene
+      }
+      else if (inverseBind.empty())
+      {
+        bones.push_back(place->second);
+      }
+      else
+      {
+        bones.emplace_back(place->second *
+          Eigen::Map<const Eigen::Matrix4d>(inverseBind.data() + 16 * bones.size()));
       }
     }
-    return Eigen::Matrix4d::Identity(); // bones that are not in the scene
+    return bones;
   }
 
+  /// What the bones make of each point: the mean of their matrices with the point's weights. A
+  /// point without weights goes with the first bone.
+  Matrices Posed(const Json& attributes, const Matrices& bones, std::size_t count,
+    const std::string& owner) const
+  {
+    Matrices sums(count, Eigen::Matrix4d::Zero());
+    std::vector<double> weightOf(count, 0.0);
+    for (int set = 0; attributes.contains("JOINTS_" + std::to_string(set)); ++set)
+    {
+      const auto valuesOf = [&](const std::string& key)
+      {
+        return this->Document.Values(
+          vtkGLTFDocument::Index(attributes, (key + std::to_string(set)).c_str(), owner), "VEC4");
+      };
+      const std::vector<double> joints = valuesOf("JOINTS_");
+      const std::vector<double> weights = valuesOf("WEIGHTS_");
+      if (joints.size() != 4 * count || weights.size() != 4 * count)
+      {
+        throw std::runtime_error(owner + ": has joints for " + std::to_string(joints.size() / 4) +
+          " and weights for " + std::to_string(weights.size() / 4) + " of its " +
+          std::to_string(count) + " points");
+      }
+      for (std::size_t k = 0; k < joints.size(); ++k)
+      {
+        if (!(weights[k] > 0.0))
+        {
+          continue;
+        }
+        if (!(joints[k] >= 0.0 && joints[k] < static_cast<double>(bones.size())))
+        {
+          throw std::runtime_error(owner + ", point " + std::to_string(k / 4) +
+            ": its skin has only " + std::to_string(bones.size()) + " joints");
+        }
+        sums[k / 4] += weights[k] * bones[static_cast<std::size_t>(joints[k])];
+        weightOf[k / 4] += weights[k];
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      sums[i] = weightOf[i] > 0.0 ? Eigen::Matrix4d(sums[i] / weightOf[i]) : bones.front();
+    }
+    return sums;
+  }
+
+  /// @param matrix  what brings the node into the scene; with bones it does not matter
   void AddMesh(std::size_t node, std::size_t mesh, const Eigen::Matrix4d& matrix)
   {
     const Json& json = this->Document.Root["meshes"][mesh];
@@ -340,24 +404,16 @@ private:
     Placement placement;
     placement.Mesh = mesh;
     placement.Node = node;
-    placement.Linear = matrix.topLeftCorner<3, 3>();
-    const double determinant = placement.Linear.determinant();
-    const double size = placement.Linear.norm();
-    if (!(std::abs(determinant) > 1e-9 * size * size * size))
-    {
-      throw std::runtime_error(NodeName(node) +
-        ": is flattened by a scale of 0, so its points cannot be moved in space; apply or change "
-        "it");
-    }
+    const Matrices bones = this->BonesOf(node);
     for (std::size_t k = 0; k < primitives->size(); ++k)
     {
       placement.Primitive = k;
-      this->AddPrimitive((*primitives)[k], matrix, determinant < 0.0, placement,
+      this->AddPrimitive((*primitives)[k], matrix, bones, placement,
         "mesh " + std::to_string(mesh) + ", primitive " + std::to_string(k));
     }
   }
 
-  void AddPrimitive(const Json& primitive, const Eigen::Matrix4d& matrix, bool mirrored,
+  void AddPrimitive(const Json& primitive, const Eigen::Matrix4d& matrix, const Matrices& bones,
     Placement placement, const std::string& owner)
   {
     const auto attributes = primitive.find("attributes");
@@ -370,11 +426,26 @@ private:
     placement.First = static_cast<std::size_t>(this->Points->GetNumberOfPoints());
     placement.Count = place.size() / 3;
     placement.HasNormals = attributes->contains("NORMAL");
+    const Matrices matrices =
+      bones.empty() ? Matrices{ matrix } : this->Posed(*attributes, bones, placement.Count, owner);
+    const auto matrixOf = [&](std::size_t point) -> const Eigen::Matrix4d&
+    { return bones.empty() ? matrices.front() : matrices[point]; };
+    placement.Linear.clear();
+    for (const Eigen::Matrix4d& here : matrices)
+    {
+      placement.Linear.emplace_back(here.topLeftCorner<3, 3>());
+    }
+    if (bones.empty() && vtkGLTFScene::IsFlat(placement.Linear.front()))
+    {
+      throw std::runtime_error(NodeName(placement.Node) +
+        ": is flattened by a scale of 0, so its points cannot be moved in space; apply or change "
+        "it");
+    }
     for (std::size_t k = 0; k < place.size(); k += 3)
     {
       // In single precision the points of a seam between two nodes are the same again.
       const Eigen::Vector3d here =
-        (matrix * Eigen::Vector4d(place[k], place[k + 1], place[k + 2], 1.0)).head<3>();
+        (matrixOf(k / 3) * Eigen::Vector4d(place[k], place[k + 1], place[k + 2], 1.0)).head<3>();
       const Eigen::Vector3d rounded = here.cast<float>().cast<double>();
       this->Points->InsertNextPoint(rounded.data());
     }
@@ -389,19 +460,20 @@ private:
           " normals for " + std::to_string(placement.Count) + " points");
       }
     }
-    const Eigen::Matrix3d turn = placement.Linear.inverse().transpose();
     for (std::size_t k = 0; k < normals.size(); k += 3)
     {
-      Eigen::Vector3d n = turn * Eigen::Vector3d(normals[k], normals[k + 1], normals[k + 2]);
+      const Eigen::Matrix3d& linear = placement.LinearOf(k / 3);
+      Eigen::Vector3d n(normals[k], normals[k + 1], normals[k + 2]);
+      n = vtkGLTFScene::IsFlat(linear) ? Eigen::Vector3d(linear * n)
+                                       : Eigen::Vector3d(linear.inverse().transpose() * n);
       n = n.norm() > 0.0 ? n.normalized().cast<float>().cast<double>().eval() : n;
       this->Normals->InsertNextTuple(n.data());
     }
-    this->AddTriangles(primitive, placement, mirrored, owner);
+    this->AddTriangles(primitive, placement, owner);
     this->Placements.push_back(placement);
   }
 
-  void AddTriangles(
-    const Json& primitive, const Placement& placement, bool mirrored, const std::string& owner)
+  void AddTriangles(const Json& primitive, const Placement& placement, const std::string& owner)
   {
     enum Modes : std::size_t
     {
@@ -431,14 +503,8 @@ private:
     const auto count = static_cast<double>(placement.Count);
     for (std::size_t k = 0; k + 2 < corners.size(); k += mode == TRIANGLES ? 3 : 1)
     {
-      const bool odd = mode == STRIP && k % 2 == 1;
       std::array<double, 3> triangle = { corners[mode == FAN ? 0 : k], corners[k + 1],
         corners[k + 2] };
-      if (odd != mirrored)
-      {
-        std::swap(triangle[1], triangle[2]);
-      }
-      this->Triangles->InsertNextCell(3);
       for (const double corner : triangle)
       {
         if (!(corner >= 0.0 && corner < count))
@@ -446,6 +512,17 @@ private:
           throw std::runtime_error(owner + ": an index is not below the number of its points, " +
             std::to_string(placement.Count));
         }
+      }
+      const bool odd = mode == STRIP && k % 2 == 1;
+      const auto first = static_cast<std::size_t>(triangle[0]);
+      const bool mirrored = placement.LinearOf(first).determinant() < 0.0;
+      if (odd != mirrored)
+      {
+        std::swap(triangle[1], triangle[2]);
+      }
+      this->Triangles->InsertNextCell(3);
+      for (const double corner : triangle)
+      {
         this->Triangles->InsertCellPoint(
           static_cast<vtkIdType>(placement.First) + static_cast<vtkIdType>(corner));
       }
@@ -462,6 +539,12 @@ private:
   std::vector<Placement> Placements;
 };
 } // namespace
+
+bool vtkGLTFScene::IsFlat(const Eigen::Matrix3d& linear)
+{
+  const double size = linear.norm();
+  return !(std::abs(linear.determinant()) > 1e-9 * size * size * size);
+}
 
 Scene vtkGLTFScene::FromSurface(vtkGLTFDocument& document, vtkPolyData* surface)
 {

@@ -25,12 +25,20 @@ struct Placement
   std::size_t Mesh = 0;
   std::size_t Primitive = 0;
   std::size_t Node = 0; ///< that shows it
-  /// Of what brings its points into the scene.
-  Eigen::Matrix3d Linear = Eigen::Matrix3d::Identity();
+  /// Of what brings its points into the scene: one for all, or with bones one for each.
+  std::vector<Eigen::Matrix3d> Linear = { Eigen::Matrix3d::Identity() };
   std::size_t First = 0; ///< point
   std::size_t Count = 0;
   bool HasNormals = false;
+
+  const Eigen::Matrix3d& LinearOf(std::size_t point) const
+  {
+    return this->Linear.size() == 1 ? this->Linear.front() : this->Linear[point];
+  }
 };
+
+/// Whether the map leaves space flat, so that nothing can be carried back through it.
+bool IsFlat(const Eigen::Matrix3d& linear);
 
 struct Scene
 {

@@ -72,13 +72,17 @@ std::vector<float> WeightsAt(const Targets& targets, double slider)
 /// A target brought from the scene to the points of a primitive.
 std::vector<float> Moves(const Target& target, const Placement& placement)
 {
-  const Eigen::Matrix3d back = placement.Linear.inverse();
   std::vector<float> values;
   values.reserve(3 * placement.Count);
   for (std::size_t i = 0; i < placement.Count; ++i)
   {
     const auto row = static_cast<Eigen::Index>(placement.First + i);
-    const Eigen::Vector3d move = back * target.Moves.row(row).transpose().cast<double>();
+    const Eigen::Matrix3d& linear = placement.LinearOf(i);
+    Eigen::Vector3d move = Eigen::Vector3d::Zero(); // where a bone has shrunk its points to one
+    if (!vtkGLTFScene::IsFlat(linear))
+    {
+      move = linear.inverse() * target.Moves.row(row).transpose().cast<double>();
+    }
     for (int c = 0; c < 3; ++c)
     {
       values.push_back(static_cast<float>(move(c)));
@@ -90,12 +94,12 @@ std::vector<float> Moves(const Target& target, const Placement& placement)
 /// @param model  normals of the model in the scene
 std::vector<float> Turns(const Target& target, const Rows& model, const Placement& placement)
 {
-  const Eigen::Matrix3d back = placement.Linear.transpose(); // of normals
   std::vector<float> values;
   values.reserve(3 * placement.Count);
   for (std::size_t i = 0; i < placement.Count; ++i)
   {
     const auto row = static_cast<Eigen::Index>(placement.First + i);
+    const Eigen::Matrix3d back = placement.LinearOf(i).transpose();   // of normals
     const double length = (back * model.row(row).transpose()).norm(); // in the file it is 1
     Eigen::Vector3d turn = Eigen::Vector3d::Zero();
     if (length > 0.0)

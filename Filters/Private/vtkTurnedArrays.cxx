@@ -51,13 +51,19 @@ void TurnTuple(const Eigen::Matrix3d& R, int components, double* tuple)
   }
 }
 
-bool IsTurned(vtkDataSetAttributes* arrays, vtkDataArray* array)
+enum class Kind
+{
+  Vectors, ///< and tensors
+  Normals
+};
+
+bool IsTurned(vtkDataSetAttributes* arrays, vtkDataArray* array, Kind kind)
 {
   const int components = array->GetNumberOfComponents();
   const int type = array->GetDataType();
   return (components == 3 || components == 6 || components == 9) &&
-    (type == VTK_FLOAT || type == VTK_DOUBLE) && array != arrays->GetNormals() &&
-    array != arrays->GetTCoords();
+    (type == VTK_FLOAT || type == VTK_DOUBLE) &&
+    (array == arrays->GetNormals()) == (kind == Kind::Normals) && array != arrays->GetTCoords();
 }
 
 /// @param rotation  of a tuple, or nullptr where it stays as it is
@@ -82,7 +88,7 @@ vtkSmartPointer<vtkDataArray> Turned(vtkDataArray* given, const RotationOf& rota
 
 /// All arrays in their order, for some may have no name to be replaced by.
 template <typename RotationOf>
-void TurnArrays(vtkDataSetAttributes* arrays, const RotationOf& rotation)
+void TurnArrays(vtkDataSetAttributes* arrays, const RotationOf& rotation, Kind kind)
 {
   std::vector<vtkSmartPointer<vtkAbstractArray>> all;
   std::array<int, vtkDataSetAttributes::NUM_ATTRIBUTES> attributes = {};
@@ -91,7 +97,7 @@ void TurnArrays(vtkDataSetAttributes* arrays, const RotationOf& rotation)
   {
     vtkDataArray* given = arrays->GetArray(k);
     all.emplace_back(arrays->GetAbstractArray(k));
-    if (given && IsTurned(arrays, given))
+    if (given && IsTurned(arrays, given, kind))
     {
       all.back() = Turned(given, rotation);
     }
@@ -106,14 +112,14 @@ void TurnArrays(vtkDataSetAttributes* arrays, const RotationOf& rotation)
     arrays->SetActiveAttribute(attributes[type], type);
   }
 }
-}
 
-void vtkTurnedArrays::Turn(vtkDataSet* output, const RotationOfPoint& ofPoint)
+void TurnAll(vtkDataSet* output, const vtkTurnedArrays::RotationOfPoint& ofPoint, Kind kind)
 {
-  TurnArrays(output->GetPointData(), ofPoint);
+  TurnArrays(output->GetPointData(), ofPoint, kind);
   vtkNew<vtkIdList> corners;
   Eigen::Matrix3d mean;
-  TurnArrays(output->GetCellData(),
+  TurnArrays(
+    output->GetCellData(),
     [&](vtkIdType cell) -> const Eigen::Matrix3d*
     {
       output->GetCellPoints(cell, corners);
@@ -127,5 +133,17 @@ void vtkTurnedArrays::Turn(vtkDataSet* output, const RotationOfPoint& ofPoint)
       }
       mean = SphericalStyle::ClosestRotation(sum.transpose()); // which is closest to its transpose
       return moves ? &mean : nullptr;
-    });
+    },
+    kind);
+}
+}
+
+void vtkTurnedArrays::Turn(vtkDataSet* output, const RotationOfPoint& ofPoint)
+{
+  TurnAll(output, ofPoint, Kind::Vectors);
+}
+
+void vtkTurnedArrays::TurnNormals(vtkDataSet* output, const RotationOfPoint& ofPoint)
+{
+  TurnAll(output, ofPoint, Kind::Normals);
 }

@@ -22,6 +22,9 @@ using RotationOfPoint = std::function<const Eigen::Matrix3d*(vtkIdType)>;
 /// turned ones. A cell turns by the rotation that is closest to the mean of those of its points.
 /// Normals, texture coordinates and what turns nowhere stay.
 void Turn(vtkDataSet* output, const RotationOfPoint& ofPoint);
+
+/// The same for the active normals of points and cells alone.
+void TurnNormals(vtkDataSet* output, const RotationOfPoint& ofPoint);
 }
 
 #endif

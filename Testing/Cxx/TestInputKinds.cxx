@@ -341,7 +341,7 @@ std::vector<Kind> Broken()
   };
   const auto point = [](double bad)
   { return [bad](vtkPolyData* s) { s->GetPoints()->SetPoint(3, bad, 0.0, 0.0); }; };
-  const auto withNormals = [n](const std::vector<Cell>& lines, const std::vector<Cell>& polygons)
+  const auto withNormals = [](const std::vector<Cell>& lines, const std::vector<Cell>& polygons)
   {
     Surface surface = WithCells({}, lines, polygons, {});
     auto array = MakeAny<vtkFloatArray>("n", surface->GetNumberOfCells(), 3);

@@ -499,6 +499,39 @@ Surface MovedSurface(vtkDataSet* volume, const Motion& motion)
   return moved;
 }
 
+/// Active ones along x.
+void AddNormals(vtkDataSetAttributes* arrays, vtkIdType n)
+{
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    normals->InsertNextTuple3(1.0, 0.0, 0.0);
+  }
+  arrays->SetNormals(normals);
+}
+
+/// They turn by R and are still the active ones.
+void CheckNormals(Checker& check, vtkDataSet* output, const Matrix& R)
+{
+  double difference = 0.0;
+  for (vtkDataSetAttributes* arrays : { static_cast<vtkDataSetAttributes*>(output->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(output->GetCellData()) })
+  {
+    check(arrays->GetNormals() != nullptr, "normals should be active");
+    for (vtkIdType i = 0; i < arrays->GetNumberOfTuples(); ++i)
+    {
+      const std::vector<double> n = Tuple(arrays, "Normals", i);
+      for (int a = 0; a < 3; ++a)
+      {
+        difference = std::max(difference, std::abs(n[a] - R[a][0]));
+      }
+    }
+  }
+  check.AtMost(difference, 1e-12, "normals turn, whether or not vectors do");
+}
+
 /// Volumes and images that go with a surface.
 void Morphing(Checker& check)
 {
@@ -522,6 +555,11 @@ void Morphing(Checker& check)
   const auto image = MakeImage();
   for (vtkDataSet* input : { static_cast<vtkDataSet*>(volume), static_cast<vtkDataSet*>(image) })
   {
+    AddNormals(input->GetPointData(), input->GetNumberOfPoints());
+    AddNormals(input->GetCellData(), input->GetNumberOfCells());
+  }
+  for (vtkDataSet* input : { static_cast<vtkDataSet*>(volume), static_cast<vtkDataSet*>(image) })
+  {
     check.About(std::string("morphing: ") + input->GetClassName());
     Watched<vtkMeshMorphingFilter> filter;
     const auto run = [&](const Surface& surface)
@@ -537,10 +575,12 @@ void Morphing(Checker& check)
           input->GetPointData()->GetArray("Direction") &&
         output->GetCellData()->GetArray("Full") == input->GetCellData()->GetArray("Full"),
       "arrays should be passed by default");
+    CheckNormals(check, output, R);
 
     filter->TransformAllInputVectorsOn();
     output = run(MovedSurface(volume, rigid));
     check(filter.Errors.empty(), "there should be no error");
+    CheckNormals(check, output, R);
     double difference = 0.0;
     for (vtkDataSetAttributes* arrays :
       { static_cast<vtkDataSetAttributes*>(output->GetPointData()),
@@ -575,8 +615,9 @@ void Morphing(Checker& check)
     }
 
     output = run(MovedSurface(volume, [](const Vector& p) { return p; }));
-    check(SameArray(output->GetPointData()->GetArray("Direction"),
-            input->GetPointData()->GetArray("Direction")) &&
+    check(SameArray(output->GetPointData()->GetNormals(), input->GetPointData()->GetNormals()) &&
+        SameArray(output->GetPointData()->GetArray("Direction"),
+          input->GetPointData()->GetArray("Direction")) &&
         SameArray(output->GetCellData()->GetArray("Full"), input->GetCellData()->GetArray("Full")),
       "where nothing moves all bits stay");
     output = run(MovedSurface(volume, top));

@@ -23,10 +23,15 @@ Promise.all(process.argv.slice(2).map(file => validator.validateBytes(new Uint8A
 COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 
 
+def find_module(name):
+    """$SPHERICALSTYLE_NODE_MODULES, the folder node_modules of npm, if it has this package, or None."""
+    modules = os.path.abspath(os.environ.get("SPHERICALSTYLE_NODE_MODULES") or os.devnull)
+    return modules if os.path.isdir(os.path.join(modules, name)) else None
+
+
 def find_validator():
-    """The folder of Khronos' validator, $SPHERICALSTYLE_GLTF_VALIDATOR, or None where it or node is not there."""
-    modules = os.environ.get("SPHERICALSTYLE_GLTF_VALIDATOR", "")
-    return modules if shutil.which("node") and os.path.isdir(os.path.join(modules, "gltf-validator")) else None
+    """The folder with Khronos' validator, or None where it or node is not there."""
+    return find_module("gltf-validator") if shutil.which("node") else None
 
 
 def validate(modules, files):
@@ -86,6 +91,11 @@ def points(root, binary, weights, mesh=0, primitive=0, attribute="POSITION"):
     for weight, target in zip(weights, item["targets"]):
         result = result + weight * numbers(root, binary, target[attribute])
     return result
+
+
+def chain(places, w):
+    """The weights of several targets where the slider is at w, as the page about glTF says."""
+    return [np.interp(w, [0, *places], np.eye(len(places) + 1)[k + 1]) for k in range(len(places))]
 
 
 def without_slider(root, binary, before):

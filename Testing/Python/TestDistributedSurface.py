@@ -15,12 +15,14 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkDataSetAttributes, vtkMultiBlockDataSet,
+from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet,
                                            vtkPartitionedDataSetCollection, vtkPolyData, vtkSelection,
                                            vtkSelectionNode, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkPolyDataNormals
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
+from vtkmodules.vtkFiltersParallel import vtkAggregateDataSetFilter
 from vtkmodules.vtkImagingCore import vtkImageShiftScale
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
@@ -916,6 +918,41 @@ def check_diagnosis():
                            "global_ids" in options)
 
 
+def check_volume():
+    """A volume in parts is refused with the way out, which works: bring it to one process."""
+    def moved_surface(volume):
+        extract = vtkDataSetSurfaceFilter()
+        extract.SetInputDataObject(volume)
+        extract.Update()
+        add(extract.GetOutput().GetPointData(), "Displacement", np.zeros((extract.GetOutput().GetNumberOfPoints(), 3)))
+        return extract.GetOutput()
+
+    def grid(first, count):
+        image = vtkImageData()
+        image.SetExtent(first, first + count, 0, 3, 0, 3)
+        append = vtkAppendFilter()
+        append.SetInputData(image)
+        append.Update()
+        return append.GetOutput()
+
+    def morphed(volume, surface):
+        return Run(sphericalstyle.vtkMeshMorphingFilter, volume, prepare=lambda f: f.SetSurfaceData(surface))
+
+    part, surface = grid(2 * RANK, 2), moved_surface(grid(0, 2 * RANKS))
+    run = morphed(part, surface)
+    assert len(run.errors) == 1 and run.output.GetNumberOfPoints() == 0, run.errors
+    for words in ("on the boundary of the volume is no point of the surface", "spread over processes", "Aggregate Dataset"):
+        assert words in run.errors[0], run.errors
+    aggregate = vtkAggregateDataSetFilter()
+    aggregate.SetInputData(part)
+    aggregate.SetNumberOfTargetProcesses(1)
+    aggregate.Update()
+    whole = aggregate.GetOutputDataObject(0)
+    assert whole.GetNumberOfCells() == (18 * RANKS if RANK == 0 else 0), whole.GetNumberOfCells()
+    run = morphed(whole, surface)
+    assert not run.errors and run.output.GetNumberOfPoints() == (16 * (2 * RANKS + 1) if RANK == 0 else 0), run.errors
+
+
 class Growing(VTKPythonAlgorithmBase):
     """A surface over time: three steps, each higher than the last."""
 
@@ -1077,7 +1114,7 @@ def check_faults():
 try:
     checks = (check_one_surface, check_parts, check_bytes, check_preview, check_gathered, check_seams, check_region,
               check_further_ports, check_other_cells, check_measures, check_measured_faults, check_gauss_map,
-              check_every_output, check_diagnosis, check_time_series, check_blocks, check_faults)
+              check_every_output, check_diagnosis, check_volume, check_time_series, check_blocks, check_faults)
     for check in [check for check in checks if not sys.argv[2:] or check.__name__ in sys.argv[2:]]:
         check()
         controller.Barrier()

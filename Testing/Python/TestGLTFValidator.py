@@ -3,7 +3,7 @@
 """Khronos' validator finds no error in files with a slider. Leaves with 77 (skipped) where it is not there.
 
 usage: TestGLTFValidator.py DATA_FOLDER
-$SPHERICALSTYLE_GLTF_VALIDATOR is the folder node_modules that "npm install gltf-validator" makes.
+$SPHERICALSTYLE_NODE_MODULES is the folder node_modules that "npm install gltf-validator" makes.
 """
 import os
 import sys

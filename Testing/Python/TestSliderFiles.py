@@ -52,8 +52,7 @@ assert (model == vtk_to_numpy(snowman.GetPoints().GetData())).all() and shown["u
 size = shown["size"]
 for preset in shown["presets"]:
     # Opened where the preset is: the filter's result, within the error of few targets and of 16 bits.
-    weights = [np.interp(preset["start"], [0, *preset["places"]], np.eye(len(preset["places"]) + 1)[k + 1])
-               for k in range(len(preset["places"]))]
+    weights = GLTFFiles.chain(preset["places"], preset["start"])
     moved = model + sum(weight * scale * decoded(moves, np.int16).reshape(-1, 3) for weight, scale, moves
                         in zip(weights, preset["scales"], preset["targets"]))
     rounded = vtk_to_numpy(ss.round(snowman, preset=preset["name"]).GetPoints().GetData())

@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Adds a slider to glTF files of others, and checks that nothing else changes.
 
-usage: gltf_files.py [--preset NAME] [--output FOLDER] FILE...
+usage: gltf_files.py [--preset NAME] [--output FOLDER] [--pictures] FILE...
 
 For each file: its meshes, skins, targets and animations; the targets added, their error and jump, seconds, and what
-Khronos' validator says of the file before and after, if $SPHERICALSTYLE_GLTF_VALIDATOR is the folder node_modules that
-"npm install gltf-validator" makes. Ends with 1 if JSON or buffers have changed besides the targets, or if the validator
-finds an error that it has not found before. The models of https://github.com/KhronosGroup/glTF-Sample-Models will do.
+Khronos' validator says of the file before and after, if $SPHERICALSTYLE_NODE_MODULES is the folder node_modules that
+"npm install gltf-validator three" makes. Ends with 1 if JSON or buffers have changed besides the targets, or if the
+validator finds an error that it has not found before. The models of
+https://github.com/KhronosGroup/glTF-Sample-Models will do. --pictures shows each new file in three.js and Chromium, as
+NAME-slider.glb.png with the slider at Roundness 0, 0.3, 1, 2 and 4.9, and compares the points there, with skins and all,
+with the filter's result of the points at 0. Beyond twice the error and jump that the writer tells it ends with 1.
 """
 import argparse
 import os
@@ -19,8 +22,15 @@ import urllib.parse
 import warnings
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Python"))
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
 import GLTFFiles
+import SliderViewers
 import sphericalstyle as ss
+
+PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Filters", "Documentation", "GLTF.md")
+SHOWN = (0, 0.3, 1, 2, 4.9)
 
 
 def issues(modules, files):
@@ -43,7 +53,24 @@ def copied(path, folder):
     return os.path.join(place, os.path.basename(path))
 
 
-def check(path, folder, preset, modules):
+def show(file, picture, preset):
+    """A picture of the file with the slider at several places. @return how far its points are from the filter's, at most,
+    as a share of the diagonal"""
+    modules = SliderViewers.find_three()
+    assert modules, "pictures need Chromium, and three in $SPHERICALSTYLE_NODE_MODULES"
+    seen, = SliderViewers.in_three(modules, [file], SHOWN, SliderViewers.function_of(PAGE))
+    SliderViewers.sheet([shown["picture"] for shown in seen["shown"]], picture, len(SHOWN))
+    rest, worst = seen["shown"][0]["points"], 0
+    # In single precision, as the writer takes them, points of two meshes at one place are the same again.
+    model = ss.meshes.surface_of(rest.astype(np.float32).astype(float), np.array(seen["triangles"]))
+    for roundness, shown in zip(SHOWN[1:], seen["shown"][1:]):
+        result = ss.round(model, preset=preset, roundness=roundness, refine_long_edges="Off")
+        moved = vtk_to_numpy(result.GetPoints().GetData())
+        worst = max(worst, np.linalg.norm(moved - shown["points"], axis=1).max())
+    return worst / np.linalg.norm(np.ptp(rest, axis=0))
+
+
+def check(path, folder, preset, modules, pictures):
     path = copied(path, folder)
     target = "-slider".join(os.path.splitext(path))
     before, old = GLTFFiles.load(path)
@@ -62,13 +89,19 @@ def check(path, folder, preset, modules):
           f" | {len(before.get('animations', []))} | {slider.targets} | {slider.error:.2g} | {slider.jump:.2g}"
           f" | {seconds:.2f} | {errors}, {warnings_} | {more_errors}, {more_warnings}"
           f" | {'kept' if kept else 'CHANGED'} | {', '.join(changed) or 'kept'} |", flush=True)
-    return kept and not changed and more_errors <= errors
+    good = kept and not changed and more_errors <= errors
+    if pictures:
+        worst = show(target, os.path.join(folder, os.path.basename(target) + ".png"), preset)
+        print(f"in three.js at most {worst:.2g} of the diagonal from the filter", flush=True)
+        good = good and worst <= 2 * max(slider.error, slider.jump)
+    return good
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--preset", default="Toy", help="default: %(default)s")
     parser.add_argument("--output", metavar="FOLDER", help="keep the new files there")
+    parser.add_argument("--pictures", action="store_true", help="show the new files in a browser")
     parser.add_argument("files", nargs="+", metavar="FILE")
     arguments = parser.parse_args()
     warnings.simplefilter("ignore", ss.StyleWarning)  # of thin parts
@@ -81,7 +114,7 @@ def main():
     good = True
     for path in arguments.files:
         try:
-            good = check(path, folder, arguments.preset, modules) and good
+            good = check(path, folder, arguments.preset, modules, arguments.pictures) and good
         except ss.Error as error:
             print(f"| {os.path.basename(path)} | {error} |", flush=True)
             good = False

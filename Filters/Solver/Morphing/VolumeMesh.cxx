@@ -9,25 +9,100 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace SphericalStyle
 {
 namespace
 {
-using Face = std::array<int, 4>; // within the cell; -1 in the place of the fourth of a triangle
+/// Points, in a direction that is the same for all faces of a cell, seen from outside; -1 in the
+/// place of the fourth of a triangle.
+using Face = std::array<int, 4>;
 
+/// Within the cell.
 const std::vector<Face>& FacesOf(CellShape shape)
 {
   static const std::array<std::vector<Face>, 4> faces = {
-    std::vector<Face>{ { 0, 1, 2, -1 }, { 0, 1, 3, -1 }, { 1, 2, 3, -1 }, { 0, 2, 3, -1 } },
+    std::vector<Face>{ { 0, 2, 1, -1 }, { 0, 1, 3, -1 }, { 1, 2, 3, -1 }, { 0, 3, 2, -1 } },
     std::vector<Face>{
-      { 0, 1, 2, 3 }, { 0, 1, 4, -1 }, { 1, 2, 4, -1 }, { 2, 3, 4, -1 }, { 3, 0, 4, -1 } },
+      { 0, 3, 2, 1 }, { 0, 1, 4, -1 }, { 1, 2, 4, -1 }, { 2, 3, 4, -1 }, { 3, 0, 4, -1 } },
     std::vector<Face>{
-      { 0, 1, 2, -1 }, { 3, 4, 5, -1 }, { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 2, 0, 3, 5 } },
-    std::vector<Face>{ { 0, 1, 2, 3 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 },
+      { 0, 2, 1, -1 }, { 3, 4, 5, -1 }, { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 2, 0, 3, 5 } },
+    std::vector<Face>{ { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 },
       { 2, 3, 7, 6 }, { 3, 0, 4, 7 } }
   };
   return faces[static_cast<std::size_t>(shape)];
+}
+
+struct CellFace
+{
+  Face Points; ///< descending, each once; faces of the same points are the same
+  int Cell;
+  bool Forward; ///< direction: whether the smaller neighbor of the smallest point is after it
+};
+
+bool operator<(const CellFace& a, const CellFace& b)
+{
+  return std::tie(a.Points, a.Cell) < std::tie(b.Points, b.Cell);
+}
+
+/// Of all cells, sorted. A face with a point twice is a triangle, as in a hexahedron that is a
+/// wedge; those with fewer points are none.
+std::vector<CellFace> AllFaces(const VolumeMesh& mesh)
+{
+  std::vector<CellFace> faces;
+  for (int cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    const int* ids = mesh.PointsOf(cell);
+    for (const Face& local : FacesOf(mesh.Shapes[cell]))
+    {
+      Face loop = { -1, -1, -1, -1 };
+      int count = 0;
+      for (const int corner : local)
+      {
+        if (corner >= 0 && (count == 0 || ids[corner] != loop[count - 1]))
+        {
+          loop[count++] = ids[corner];
+        }
+      }
+      count -= count > 1 && loop[count - 1] == loop[0] ? 1 : 0;
+      std::fill(loop.begin() + count, loop.end(), -1);
+      if (count < 3)
+      {
+        continue;
+      }
+      const auto first =
+        static_cast<int>(std::min_element(loop.begin(), loop.begin() + count) - loop.begin());
+      const bool forward = loop[(first + 1) % count] < loop[(first + count - 1) % count];
+      std::sort(loop.begin(), loop.end(), std::greater<>());
+      std::fill(std::unique(loop.begin(), loop.end()), loop.end(), -1);
+      if (loop[2] >= 0)
+      {
+        faces.push_back({ loop, cell, forward });
+      }
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+/// Calls function(begin, end) for the faces that are the same.
+template <typename Function>
+void ForSame(const std::vector<CellFace>& faces, const Function& function)
+{
+  for (std::size_t k = 0; k < faces.size();)
+  {
+    std::size_t end = k + 1;
+    while (end < faces.size() && faces[end].Points == faces[k].Points)
+    {
+      ++end;
+    }
+    function(k, end);
+    k = end;
+  }
 }
 
 /// Swaps that turn a cell inside out.
@@ -74,6 +149,63 @@ Eigen::Matrix3d MiddleAxes(const int* ids, const Points& P)
     }
   }
   return axes;
+}
+
+void Mirror(VolumeMesh& mesh, int cell)
+{
+  int* ids = &mesh.Ids[mesh.Offsets[cell]];
+  for (const auto& [a, b] : MirrorOf(mesh.Shapes[cell]))
+  {
+    std::swap(ids[a], ids[b]);
+  }
+}
+
+struct Neighbor
+{
+  int Cell;
+  int Turn; ///< 1, or -1 where both pass their face in the same direction
+};
+
+/// Of each cell, those that have a face with it and with no other cell.
+std::vector<std::vector<Neighbor>> NeighborsOf(const VolumeMesh& mesh)
+{
+  std::vector<std::vector<Neighbor>> neighbors(mesh.GetNumberOfCells());
+  const std::vector<CellFace> faces = AllFaces(mesh);
+  ForSame(faces,
+    [&](std::size_t begin, std::size_t end)
+    {
+      const CellFace& a = faces[begin];
+      const CellFace& b = faces[end - 1];
+      if (end == begin + 2)
+      {
+        const int turn = a.Forward != b.Forward ? 1 : -1;
+        neighbors[a.Cell].push_back({ b.Cell, turn });
+        neighbors[b.Cell].push_back({ a.Cell, turn });
+      }
+    });
+  return neighbors;
+}
+
+/// Sets the turns, 1 or -1, that make the cells agree that hang together with the first one.
+/// @param turns  0 for cells that have none yet @return these cells
+std::vector<int> Agree(
+  const std::vector<std::vector<Neighbor>>& neighbors, int first, std::vector<int>& turns)
+{
+  std::vector<int> cells = { first };
+  turns[first] = 1;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+  {
+    const int cell = cells[k];
+    for (const Neighbor& neighbor : neighbors[cell])
+    {
+      if (turns[neighbor.Cell] == 0)
+      {
+        turns[neighbor.Cell] = turns[cell] * neighbor.Turn;
+        cells.push_back(neighbor.Cell);
+      }
+    }
+  }
+  return cells;
 }
 } // namespace
 
@@ -124,27 +256,37 @@ double BestDeterminant(CellShape shape)
 
 bool OrientCells(VolumeMesh& mesh)
 {
-  std::array<double, 4> volumes = {};
-  for (int cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  const int count = mesh.GetNumberOfCells();
+  std::vector<double> volumes(count, 0.0); // some multiple of it
+  for (int cell = 0; cell < count; ++cell)
   {
-    const CellShape shape = mesh.Shapes[cell];
-    for (const CellCorner& corner : CornersOf(shape))
+    for (const CellCorner& corner : CornersOf(mesh.Shapes[cell]))
     {
-      volumes[static_cast<std::size_t>(shape)] +=
-        EdgesAt(mesh.PointsOf(cell), corner, mesh.P).determinant();
+      volumes[cell] += EdgesAt(mesh.PointsOf(cell), corner, mesh.P).determinant();
     }
   }
-  bool any = false;
-  for (int cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  if (std::none_of(volumes.begin(), volumes.end(), [](double volume) { return volume < 0.0; }))
   {
-    const CellShape shape = mesh.Shapes[cell];
-    if (volumes[static_cast<std::size_t>(shape)] < 0.0)
+    return false;
+  }
+  const std::vector<std::vector<Neighbor>> neighbors = NeighborsOf(mesh);
+  std::vector<int> turns(count, 0); // 1 or, against the first cell that it hangs together with, -1
+  bool any = false;
+  for (int first = 0; first < count; ++first)
+  {
+    if (turns[first] != 0)
     {
-      any = true;
-      int* ids = &mesh.Ids[mesh.Offsets[cell]];
-      for (const auto& [a, b] : MirrorOf(shape))
+      continue;
+    }
+    const std::vector<int> cells = Agree(neighbors, first, turns);
+    const double volume = std::accumulate(cells.begin(), cells.end(), 0.0,
+      [&](double sum, int cell) { return sum + turns[cell] * volumes[cell]; });
+    for (const int cell : cells)
+    {
+      if ((turns[cell] < 0) != (volume < 0.0))
       {
-        std::swap(ids[a], ids[b]);
+        any = true;
+        Mirror(mesh, cell);
       }
     }
   }
@@ -180,43 +322,19 @@ Eigen::VectorXd ScaledJacobians(const VolumeMesh& mesh, const Points& P, int thr
 
 std::vector<char> BoundaryPoints(const VolumeMesh& mesh)
 {
-  // A face by its points, in order; a face with a point twice is a triangle, as in a hexahedron
-  // that is a wedge.
-  std::vector<Face> faces;
-  for (int cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
-  {
-    const int* ids = mesh.PointsOf(cell);
-    for (const Face& local : FacesOf(mesh.Shapes[cell]))
-    {
-      Face face = { -1, -1, -1, -1 };
-      std::transform(local.begin(), local.end(), face.begin(),
-        [ids](int corner) { return corner < 0 ? -1 : ids[corner]; });
-      std::sort(face.begin(), face.end(), std::greater<>());
-      std::fill(std::unique(face.begin(), face.end()), face.end(), -1);
-      if (face[2] >= 0)
-      {
-        faces.push_back(face);
-      }
-    }
-  }
-  std::sort(faces.begin(), faces.end());
+  const std::vector<CellFace> faces = AllFaces(mesh);
   std::vector<char> flags(mesh.P.rows(), 0);
-  for (std::size_t k = 0; k < faces.size();)
-  {
-    std::size_t end = k + 1;
-    while (end < faces.size() && faces[end] == faces[k])
+  ForSame(faces,
+    [&](std::size_t begin, std::size_t end)
     {
-      ++end;
-    }
-    for (const int i : faces[k])
-    {
-      if (end == k + 1 && i >= 0)
+      for (const int i : faces[begin].Points)
       {
-        flags[i] = 1;
+        if (end == begin + 1 && i >= 0)
+        {
+          flags[i] = 1;
+        }
       }
-    }
-    k = end;
-  }
+    });
   return flags;
 }
 

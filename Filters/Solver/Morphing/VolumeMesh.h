@@ -43,8 +43,11 @@ Eigen::Matrix3d BestCorner(CellShape shape);
 /// det of those: 1 / sqrt(2), 1 / sqrt(2), sqrt(3) / 2, 1
 double BestDeterminant(CellShape shape);
 
-/// Numbers the cells of a shape the other way round if most of their volume is negative: files
-/// do not agree on what is up in a wedge, and mirrored meshes are meshes. @return whether any were
+/// Numbers cells the other way round where files mean it, who do not agree on what is up in a wedge
+/// and what is left in a tetrahedron: first those that do not agree with their neighbors, who pass
+/// a common face in the opposite direction, and then all that hang together by faces if most of
+/// their volume is negative. A cell that agrees with its neighbors and is negative has been turned
+/// inside out, and stays. @return whether any were
 bool OrientCells(VolumeMesh& mesh);
 
 /// Scaled Jacobian [jacobian] of a cell, 1 for the best, 0 or less for an inverted one: the

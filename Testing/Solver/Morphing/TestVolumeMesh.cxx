@@ -116,6 +116,45 @@ void TestOrientation()
     mesh.P.col(1) *= -1.0;
     CHECK(OrientCells(mesh), "a mirrored mesh is turned");
     CHECK(ScaledJacobians(mesh, mesh.P, 1).minCoeff() > 0.3, "no cell is inverted then");
+
+    // Some cells numbered the other way round, as VTK's own data has them.
+    const VolumeMesh good = MakeCube(3, shape);
+    mesh = good;
+    for (int cell = 0; cell < mesh.GetNumberOfCells(); cell += 1 + cell % 3)
+    {
+      int* ids = &mesh.Ids[mesh.Offsets[cell]];
+      if (shape == CellShape::Tetrahedron)
+      {
+        std::swap(ids[0], ids[1]);
+      }
+      else if (shape == CellShape::Pyramid)
+      {
+        std::swap(ids[0], ids[2]);
+      }
+      else
+      {
+        const int half = NumberOfPoints(shape) / 2;
+        std::swap_ranges(ids, ids + half, ids + half);
+      }
+    }
+    CHECK(ScaledJacobians(mesh, mesh.P, 1).minCoeff() < -0.3, "they are negative");
+    CHECK(OrientCells(mesh), "they are turned");
+    CHECK(ScaledJacobians(mesh, mesh.P, 1).minCoeff() > 0.3, "no cell is inverted then");
+
+    // A point that is pulled through the others turns cells inside out, which agree with their
+    // neighbors: that is no question of numbers.
+    mesh = good;
+    Points& P = mesh.P;
+    for (int i = 0; i < P.rows(); ++i)
+    {
+      if ((P.row(i).array() > 0.1 && P.row(i).array() < 0.5).all())
+      {
+        P.row(i).setConstant(0.95);
+      }
+    }
+    const double before = ScaledJacobians(mesh, P, 1).minCoeff();
+    CHECK(before < 0.0 && !OrientCells(mesh), "inverted cells stay");
+    CHECK(ScaledJacobians(mesh, P, 1).minCoeff() == before, "inverted cells stay inverted");
   }
 }
 }
