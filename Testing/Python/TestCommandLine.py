@@ -232,9 +232,9 @@ for face, words in (("1/1 2/2 3/3", "line 6 names texture coordinate 3, and the 
     (output / "wrong.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\n"
                                       f"f {face}\nvn 0 0 1\n", encoding="utf-8")
     refused(words, output / "wrong.obj", output / "x.ply", code=1)
-for face in ("1/1 2/2 3/1", "1/1/1 2/2/1 3/1/1", "1//1 2//1 3//1", "-3 -2 -1", "1/2/-1 2/1/-1 3/1/-1"):
-    (output / "right.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvn 0 0 1\n"
-                                      f"f {face}\n", encoding="utf-8")
+for further, face in (("vt 0 0\nvt 1 0\n", "1/1 2/2 3/1"), ("vn 0 0 1\n", "1//1 2//1 3//1"),
+                      ("vt 0 0\nvt 1 0\nvn 0 0 1\n", "1/1/1 2/2/1 3/1/1")):
+    (output / "right.obj").write_text(f"v 0 0 0\nv 1 0 0\nv 0 1 0\n{further}f {face}\n", encoding="utf-8")
     assert ss.read(output / "right.obj").GetNumberOfPolys() == 1, face
 refused('Region: there is no numeric point array "nothing"', creature, output / "x.ply", "--region", "nothing", code=1)
 done = run(creature, output / "nowhere" / "x.ply")
