@@ -4,7 +4,6 @@
 
 #include "vtkCell.h"
 #include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
@@ -71,6 +70,12 @@ void CheckIds(vtkIdType cell, vtkIdList* ids, vtkIdType numberOfPoints)
   }
 }
 
+std::string NameOf(int type)
+{
+  const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+  return cell ? cell->GetClassName() : "cell of an unknown type";
+}
+
 void AddCell(
   SphericalStyle::VolumeMesh& mesh, vtkIdType cell, int type, CellShape shape, vtkIdList* ids)
 {
@@ -78,9 +83,8 @@ void AddCell(
   if (ids->GetNumberOfIds() != count)
   {
     throw std::invalid_argument("cell " + std::to_string(cell) + " has " +
-      std::to_string(ids->GetNumberOfIds()) + " points; a " +
-      vtkCellTypes::GetClassNameFromTypeId(type) + " has " + std::to_string(count) +
-      ": leave the cell out, or give it the type that it is");
+      std::to_string(ids->GetNumberOfIds()) + " points; a " + NameOf(type) + " has " +
+      std::to_string(count) + ": leave the cell out, or give it the type that it is");
   }
   std::array<int, 8> points = {};
   for (int k = 0; k < count; ++k)
@@ -132,8 +136,8 @@ Volume FromDataSet(vtkDataSet* input, const SphericalStyle::Points& P)
       }
       if (known->second == 3)
       {
-        throw std::invalid_argument("cell " + std::to_string(cell) + " is a " +
-          vtkCellTypes::GetClassNameFromTypeId(type) + " (type " + std::to_string(type) +
+        throw std::invalid_argument("cell " + std::to_string(cell) + " is a " + NameOf(type) +
+          " (type " + std::to_string(type) +
           "); only linear tetrahedra, pyramids, wedges, hexahedra and voxels can be morphed: make "
           "such cells with Tetrahedralize in ParaView, vtkDataSetTriangleFilter in VTK");
       }
