@@ -3,6 +3,7 @@
 """Errors and warnings of VTK's algorithms, for Python."""
 import re
 import sys
+import warnings
 
 from vtkmodules.vtkCommonCore import VTK_STRING
 
@@ -18,6 +19,16 @@ class StyleWarning(UserWarning):
 def printable(text):
     """The text with escapes for control characters, line breaks, and bytes that are not text."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in str(text))
+
+
+def execute(algorithm, surface):
+    """Executes a filter of ours on a surface. Errors are raised, and warnings become those of who calls our caller."""
+    algorithm.SetController(None)  # with MPI, too, each process has a mesh of its own
+    messages = Messages(algorithm)
+    algorithm.SetInputData(surface)
+    algorithm.Update()
+    messages.raise_errors()
+    messages.warn(stacklevel=4)
 
 
 class Messages:
@@ -61,6 +72,11 @@ class Messages:
             if warning not in self.printed:
                 self.printed.add(warning)
                 print(f"Warning: {warning}", file=sys.stderr)
+
+    def warn(self, stacklevel=3):
+        """Each becomes a Python warning, by default of who calls our caller."""
+        for text in self.warnings:
+            warnings.warn(text, StyleWarning, stacklevel=stacklevel)
 
     def raise_errors(self, what=None, kind=Error):
         """Raises what was said, behind these words."""

@@ -1,10 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Larger heads and smaller hands with one call: sphericalstyle.resize."""
-import warnings
-
 from . import meshes
-from .messages import Messages, StyleWarning
+from .messages import execute
 from .surface_parts import parts as find_parts
 from .SphericalStyleFilters import vtkPartSizesFilter
 
@@ -61,7 +59,6 @@ def resize(mesh, sizes=None, *, parts=None, head_height=0.0, head=-1, up_axis="Y
     ids.SetName(name)
     copy.GetPointData().AddArray(ids)
     filter_ = vtkPartSizesFilter()
-    filter_.SetController(None)  # with MPI, too, each process has a mesh of its own
     filter_.SetInputArrayToProcess(0, 0, 0, 0, name)
     for part, size in (sizes or {}).items():
         filter_.SetPartSize(part, size)
@@ -70,12 +67,7 @@ def resize(mesh, sizes=None, *, parts=None, head_height=0.0, head=-1, up_axis="Y
     filter_.SetBlendWidth(blend_width)
     filter_.SetKeepOnGround(keep_on_ground)
     filter_.SetUpAxis("XYZ".index(str(up_axis).upper()))
-    messages = Messages(filter_)
-    filter_.SetInputData(copy)
-    filter_.Update()
-    messages.raise_errors()
-    for text in messages.warnings:
-        warnings.warn(text, StyleWarning, stacklevel=2)
+    execute(filter_, copy)
     result = surface.NewInstance()
     result.ShallowCopy(filter_.GetOutput())
     result.GetPointData().RemoveArray(name)

@@ -4,13 +4,12 @@
 import inspect
 import re
 import sys
-import warnings
 
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
 
 from . import meshes, presets
-from .messages import Error, Messages, StyleWarning
+from .messages import Error, Messages
 from .properties import closest, properties
 from .SphericalStyleFilters import vtkSphericalStyleFilter
 
@@ -80,8 +79,7 @@ def round(mesh, *, preset=None, **properties):  # noqa: A001, it is used as sphe
     """
     surface, back = meshes.take(mesh)
     style, messages = execute(surface, preset, **properties)
-    for text in messages.warnings:
-        warnings.warn(text, StyleWarning, stacklevel=2)
+    messages.warn()
     output = style.GetOutputDataObject(0)
     result = output.NewInstance()
     result.ShallowCopy(output)

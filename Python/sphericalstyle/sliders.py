@@ -3,13 +3,12 @@
 """Write models as glTF with a slider that rounds them."""
 import os
 import pathlib
-import warnings
 from typing import NamedTuple
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import SphericalStyleFilters, meshes
-from .messages import Messages, StyleWarning, printable
+from .messages import Messages, printable
 from .model_files import ModelError, is_gltf, read, whole
 from .rounding import MESHES, add_arrays, is_array, make, raise_errors
 
@@ -76,7 +75,6 @@ def write_slider(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.
         messages.errors = [text.replace(printable(part), name) for text in messages.errors]
         if messages.errors or not written:
             raise_errors(messages)
-    for text in messages.warnings:
-        warnings.warn(text, StyleWarning, stacklevel=2)
+    messages.warn()
     return Slider(writer.GetNumberOfTargets(), writer.GetLargestError(), writer.GetLargestJump(),
                   writer.GetLinear())

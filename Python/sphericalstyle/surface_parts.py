@@ -1,10 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """The parts of a mesh with one call: sphericalstyle.parts."""
-import warnings
-
 from . import meshes
-from .messages import Messages, StyleWarning
+from .messages import execute
 from .SphericalStyleFilters import vtkSurfacePartsFilter
 
 
@@ -43,12 +41,6 @@ def parts(mesh, number=0):
 
     surface, _ = meshes.take(mesh, "parts")
     found = vtkSurfacePartsFilter()
-    found.SetController(None)  # with MPI, too, each process has a mesh of its own
     found.SetNumberOfParts(number)
-    messages = Messages(found)
-    found.SetInputData(surface)
-    found.Update()
-    messages.raise_errors()
-    for text in messages.warnings:
-        warnings.warn(text, StyleWarning, stacklevel=2)
+    execute(found, surface)
     return vtk_to_numpy(found.GetOutput().GetPointData().GetArray("PartId")).copy()

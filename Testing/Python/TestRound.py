@@ -343,6 +343,12 @@ array_of = ss.resize((points(creature), faces(creature)), head_height=0.8, parts
 assert np.allclose(array_of[0], points(taller), atol=1e-6)
 assert same(points(ss.resize(creature)), points(creature))
 assert not same(points(ss.resize(creature, {1: 1.2})), points(creature))
+with warnings.catch_warnings(record=True) as caught:  # those of who calls
+    warnings.simplefilter("always")
+    ss.parts(creature, 200)
+    ss.resize(creature, {77: 2}, parts=ids)
+assert [os.path.samefile(warning.filename, __file__) for warning in caught] == [True, True], caught
+assert "77" in str(caught[1].message), caught[1]
 for wrong, words in (({"parts": ids[1:]}, "values for"), ({"up_axis": "up"}, ""), ({"sizes": {1: -2}}, "above 0")):
     try:
         ss.resize(creature, **wrong)
