@@ -5,7 +5,7 @@ reader or writer."""
 import contextlib
 import os
 import pathlib
-import re
+import tempfile
 
 import vtkmodules.vtkIOGeometry as geometry
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -18,7 +18,7 @@ from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader, vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-from . import meshes
+from . import meshes, obj_files
 from .messages import Error, Messages, printable
 
 READERS = {
@@ -102,12 +102,11 @@ def read(path):
         raise ModelError(f"{name}: no such file")
     if path.stat().st_size == 0:
         raise ModelError(f"{name}: the file is empty")
-    if suffix == ".obj":
-        _check_obj(path, name)
     reader = READERS[suffix]()
     messages = Messages(reader)
-    _set_file_name(reader, path)
-    reader.Update()
+    with _safe_for_vtk(path, name, messages) as safe:
+        _set_file_name(reader, safe)
+        reader.Update()
     messages.raise_errors(f"{name}: cannot be read as {suffix}", ModelError)
     messages.print_warnings()
     surface = reader.GetOutputDataObject(0)
@@ -124,49 +123,28 @@ def read(path):
     return surface
 
 
-def _check_obj(path, name):
-    """VTK's reader reads behind its arrays where a face names more than the file has. That there are no normals or no
-    texture coordinates at all it knows."""
-    lines = path.read_bytes().splitlines()
-    counts = [sum(line.startswith((kind + b" ", kind + b"\t")) for line in lines) for kind in (b"v", b"vt", b"vn")]
-    counts[1:] = [count or None for count in counts[1:]]
-    faces = b"".join(line[1:] + b"\n" for line in lines if line.startswith((b"f ", b"f\t")))
-    if all(_fits(corner, counts) for corner in _extremes(faces)):
-        return
-    words = ("point", "texture coordinate", "normal"), ("v", "vt", "vn")
-    for number, line in enumerate(lines, 1):
-        for corner in line[1:].split() if line.startswith((b"f ", b"f\t")) else ():
-            for what, kind, given, count in zip(*words, corner.split(b"/"), counts):
-                if not _fits([given], [count]):
-                    raise ModelError(
-                        f"{name}: the face in line {number} names {what} {given.decode(errors='replace')}, and the file"
-                        f" has {count} ({kind}); write it again with a program that gives every face what it names")
-
-
-def _extremes(faces):
-    """Corners of faces whose numbers are the most and the least of all; all of them where they are not alike."""
-    import numpy as np
-
-    corners = faces.split()
-    slashes = corners[0].count(b"/") if corners else 0
+@contextlib.contextmanager
+def _safe_for_vtk(path, name, messages):
+    """The path of a file that VTK's reader does not read beyond its arrays: this one or, for a while, a copy without the
+    texture coordinates or normals of which faces name some that are not there."""
     try:
-        # 1//3 has fewer numbers than its slashes say.
-        numbers = np.array(faces.replace(b"/", b" ").split(), dtype=np.int64).reshape(len(corners), slashes + 1)
-        return (numbers.max(axis=0), numbers.min(axis=0)) if corners else ()
-    except (ValueError, OverflowError):
-        return (corner.split(b"/") for corner in corners)
-
-
-def _fits(corner, counts):
-    """Whether the numbers of a corner are from 1 to a count, or as much below 0. What is empty or not counted fits."""
-    for given, count in zip(corner, counts):
-        try:
-            number = int(given or 1) if isinstance(given, bytes) else int(given)
-        except ValueError:
-            continue  # for VTK to refuse
-        if given != b"" and count is not None and not 1 <= abs(number) <= count:
-            return False
-    return True
+        misfits = obj_files.misfits(path) if path.suffix.lower() == ".obj" else {}
+        if not misfits:
+            yield path
+            return
+        texts = [f"the face in line {misfit.line} names {obj_files.KINDS[of]} {misfit.number}, and the file has"
+                 f" {misfit.count}{' before it' if misfit.number.startswith('-') else ''}"
+                 for of, misfit in sorted(misfits.items())]
+        if b"v" in misfits:
+            raise ModelError(f"{name}: {texts[0]}; write it again with the program that made it, or without this face")
+        messages.warnings += [f"{name}: {text}; read without its {obj_files.KINDS[of]}s"
+                              for text, of in zip(texts, sorted(misfits))]
+        with tempfile.NamedTemporaryFile(suffix=path.suffix) as copy:
+            obj_files.copy_without(path, copy, misfits)
+            copy.flush()
+            yield pathlib.Path(copy.name)
+    except OSError as error:
+        raise ModelError(f"{name}: cannot be read: {error.strerror}") from None
 
 
 def _remove_misfits(data, count):
