@@ -5,6 +5,7 @@
 #include "pqAncestor.h"
 #include "pqApplicationCore.h"
 #include "pqNote.h"
+#include "pqOutputWidget.h"
 #include "pqPipelineSource.h"
 #include "pqPropertiesPanel.h"
 #include "pqPropertyWidgetDecorator.h"
@@ -28,7 +29,9 @@
 #include "vtkSMTrace.h"
 #include "vtkSMViewProxy.h"
 
-#include <QPointer>
+#include <QApplication>
+#include <QDockWidget>
+#include <QEvent>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QStringList>
@@ -108,6 +111,17 @@ pqProblem::pqProblem(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* 
   {
     this->Observers.add(vtkOutputWindow::GetInstance(), event, this, &pqProblem::hear);
   }
+  for (const QWidget* window : QApplication::topLevelWidgets())
+  {
+    if (const auto* log = window->findChild<pqOutputWidget*>())
+    {
+      this->MessageDock = pqAncestor<QDockWidget>(log);
+    }
+  }
+  if (this->MessageDock)
+  {
+    this->MessageDock->installEventFilter(this);
+  }
   vtkPVXMLElement* hints = smgroup->GetHints();
   this->AnyDataSet = hints && hints->FindNestedElementByName("AnyDataSet");
   if (vtkPVXMLElement* xml = hints ? hints->FindNestedElementByName("Required") : nullptr)
@@ -162,10 +176,28 @@ void pqProblem::hear(vtkObject*, unsigned long event, void* text)
     !object || match.captured(1).toULongLong(nullptr, 16) == reinterpret_cast<quintptr>(object);
   if (!match.hasMatch() || !same)
   {
+    this->Opened = false; // for this one it stays open
     return;
+  }
+  const QWidget* panel = this->parentWidget();
+  if (this->Opened && panel && panel->isVisible())
+  {
+    this->MessageDock->hide();
   }
   this->Messages.push_back({ match.captured(2).trimmed(), event == vtkCommand::ErrorEvent });
   this->updateLater();
+}
+
+/// ParaView opens the dock before it tells of the message.
+bool pqProblem::eventFilter(QObject* messageDock, QEvent* event)
+{
+  if (event->type() == QEvent::Show)
+  {
+    this->Opened = true;
+    QMetaObject::invokeMethod(
+      this, [this] { this->Opened = false; }, Qt::QueuedConnection);
+  }
+  return this->pqPropertyWidget::eventFilter(messageDock, event);
 }
 
 /// VTK's pipeline says of a filter that failed only that it did: not again where the filter has

@@ -3,7 +3,8 @@
 /// @file
 /// Says in the panel of a filter for surfaces what is wrong: with its input, before Apply, with the
 /// way out as a button where there is one; and with its last execution, of which ParaView tells in
-/// a window of messages alone.
+/// its window of messages. That has the message too, but does not open for it where the panel is
+/// seen.
 ///
 ///     <PropertyGroup label="" panel_widget="Problem">
 ///       <Property name="FinalEnergy"/>
@@ -26,6 +27,8 @@
 #include "pqPropertyWidget.h"
 #include "vtkSmartPointer.h"
 
+#include <QPointer>
+
 #include <vector>
 
 class QPushButton;
@@ -41,6 +44,7 @@ public:
 
   void select() override;
   void apply() override;
+  bool eventFilter(QObject* messageDock, QEvent* event) override;
 
 private:
   class Visibility;
@@ -67,7 +71,9 @@ private:
     bool IsError;
   };
   std::vector<Message> Messages; // of the last execution, and of values set since
-  std::size_t Old = 0;           // those of the last execution: the next one begins without them
+  QPointer<QWidget> MessageDock;
+  bool Opened = false; // MessageDock, for the message of the moment
+  std::size_t Old = 0; // those of the last execution: the next one begins without them
   QMetaObject::Connection InputUpdated;
   pqObservers Observers;
 };
