@@ -295,7 +295,8 @@ public:
   ///@{
   /**
    * Center O when CenterMode is Custom, in model coordinates. Surface near O becomes rounder;
-   * outside the model it makes the facing side concave. Default (0, 0, 0).
+   * outside the model it makes the facing side flatter, and concave with a low NormalBlend. Default
+   * (0, 0, 0).
    */
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);

@@ -114,7 +114,10 @@ void pqTargetSphereWidget::refresh()
 void pqTargetSphereWidget::updateStatement()
 {
   const QString text = vtkSMPropertyHelper(this->CenterPosition).GetAsString();
-  this->Statement->setText(tr("The center is %1 the model.").arg(text.toLower()));
+  this->Statement->setText(text == "Outside" ? tr("The center is outside the model: the side that "
+                                                  "faces it becomes flatter, and hollow where "
+                                                  "Limbs is low.")
+                                             : tr("The center is inside the model."));
   this->Statement->setVisible(!text.isEmpty());
   QFont font = this->font();
   font.setBold(text == "Outside");

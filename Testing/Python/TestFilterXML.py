@@ -145,6 +145,8 @@ def check_decorator(name, decorator):
 
 
 proxy = ElementTree.parse(sys.argv[1]).getroot().find("./ProxyGroup[@name='filters']/SourceProxy")
+check(proxy.find("Documentation").get("short_help").startswith(proxy.get("label") + ": "),
+      "the toolbar shows the short help alone, so it begins with the name")
 check(proxy.get("name") == xml_name, "name of the proxy")
 check(proxy.get("class") == Filter.__name__, "class of the proxy")
 check(proxy.get("label") == expected["label"], "label of the proxy")
