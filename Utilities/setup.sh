@@ -32,15 +32,15 @@ packages=(
   # a screen for tests and demo: X server, software OpenGL, a mouse
   libgl1-mesa-dri xauth xdotool xvfb
   python3-matplotlib python3-numpy python3-pil python3-scipy)
-# What the plugin's icons and widgets need, and what shows icons and help in ParaView.
+# What the plugin's icons and widgets need, what shows icons and help in ParaView, and PyVista where Debian has it.
 case $release in
   # Ubuntu 24.04 has these versions as well; nobody has tried it.
   "debian bookworm" | "ubuntu noble") packages+=(libqt5sql5-sqlite libqt5svg5 qtbase5-dev) ;; # ParaView 5.11, VTK 9.2
   "debian trixie") # ParaView 5.13, VTK 9.4
-    packages+=(libpython3-dev libqt6sql6-sqlite qt6-base-dev qt6-svg-plugins)
+    packages+=(libpython3-dev libqt6sql6-sqlite python3-pyvista qt6-base-dev qt6-svg-plugins)
     ;;
   *) # ParaView 6.1, which uses the system's VTK 9.6
-    packages+=(libpython3-dev libqt6sql6-sqlite libvtk9-dev libvtk9-qt-dev qt6-base-dev qt6-svg-plugins)
+    packages+=(libpython3-dev libqt6sql6-sqlite libvtk9-dev libvtk9-qt-dev python3-pyvista qt6-base-dev qt6-svg-plugins)
     ;;
 esac
 

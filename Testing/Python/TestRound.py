@@ -121,29 +121,27 @@ plain = types.SimpleNamespace(vertices=P, faces=F)
 assert same(ss.round(plain).vertices, points(expected)) and same(plain.vertices, before)
 fails(TypeError, 'refine_long_edges="Off" keeps the faces', type("Odd", (), {"vertices": box, "faces": quads})())
 
-# ---------------------------------------------------------------------------------------------- PyVista, or its like
-try:
-    import pyvista
-    cloth = pyvista.wrap(creature)
-except ImportError:
-    pyvista = types.ModuleType("pyvista")
-    pyvista.DataObject = type("DataObject", (), {})
-    pyvista.PolyData = type("PolyData", (vtkPolyData, pyvista.DataObject), {})
-    pyvista.registered = {}
-    pyvista.register_dataset_accessor = lambda name, kind: lambda cls: pyvista.registered.update({name: (kind, cls)})
+# ---------------------------------------------------------------- like PyVista: TestPyVista.py has PyVista itself
+pyvista = types.ModuleType("pyvista")
+pyvista.DataObject = type("DataObject", (), {})
+pyvista.PolyData = type("PolyData", (vtkPolyData, pyvista.DataObject), {})
+pyvista.registered = {}
+pyvista.register_dataset_accessor = lambda name, kind: lambda cls: pyvista.registered.update({name: (kind, cls)})
 
-    def wrap(surface):
-        wrapped = pyvista.PolyData()
-        wrapped.ShallowCopy(surface)
-        return wrapped
 
-    pyvista.wrap = wrap
-    sys.modules["pyvista"] = pyvista
-    cloth = wrap(creature)
-    rounding._register_accessor()
-    kind, accessor = pyvista.registered["spherical_style"]
-    assert kind is pyvista.PolyData
-    assert same(points(accessor(cloth).round(roundness=2.0)), points(filtered(creature, Roundness=2.0)))
+def wrap(surface):
+    wrapped = pyvista.PolyData()
+    wrapped.ShallowCopy(surface)
+    return wrapped
+
+
+pyvista.wrap = wrap
+sys.modules["pyvista"] = pyvista
+cloth = wrap(creature)
+rounding._register_accessor()
+kind, accessor = pyvista.registered["spherical_style"]
+assert kind is pyvista.PolyData
+assert same(points(accessor(cloth).round(roundness=2.0)), points(filtered(creature, Roundness=2.0)))
 result = ss.round(cloth, preset="Chibi")
 assert isinstance(result, pyvista.PolyData) and result is not cloth
 assert same(points(result), points(filtered(creature, lambda style: presets.apply(style, "Chibi"))))
