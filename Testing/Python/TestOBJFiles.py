@@ -41,8 +41,9 @@ def read(text):
 
 
 def arrays_of(surface):
+    """In alphabetical order, without the one of VTK 9.3 and later that has the name of a material."""
     data = surface.GetPointData()
-    return [data.GetArrayName(k) for k in range(data.GetNumberOfArrays())]
+    return sorted(name for name in map(data.GetArrayName, range(data.GetNumberOfArrays())) if name != "wood")
 
 
 # Texture coordinates or normals that are not there are left out, and the first face is named. Numbers far behind an
@@ -94,7 +95,7 @@ for text, words in ((POINTS + "f 1 2 4\n", "line 4 names point 4, and the file h
 # not look them up.
 ALL = POINTS + COORDINATES + NORMALS
 for text, arrays in ((POINTS + COORDINATES + "f 1/1 2/2 3/1\n", ["TCoords"]),
-                     (ALL + "f 1/1/1 2/2/1 3/1/3\n", ["TCoords", "Normals"]),
+                     (ALL + "f 1/1/1 2/2/1 3/1/3\n", ["Normals", "TCoords"]),
                      (POINTS + NORMALS + "f 1//1 2//3 3//1\n", ["Normals"]), (POINTS + "f 1//7 2//7 3//7\n", []),
                      ("f 1/1 2/2 3/1\n" + POINTS + COORDINATES, ["TCoords"]),
                      (POINTS + COORDINATES + "f -3/-1 -2/-1 -1/-2\n", ["TCoords"]),
