@@ -209,7 +209,7 @@ int vtkPartSizesFilter::Execute(
     {
       Points moved = sized.Sized(parts.Sizes);
       SphericalStyle::SizeOptions place;
-      place.upAxis = this->UpAxis;
+      place.up = Eigen::Vector3d::Unit(this->UpAxis);
       place.keepOnGround = this->KeepOnGround;
       std::vector<int> all(P.rows());
       std::iota(all.begin(), all.end(), 0);

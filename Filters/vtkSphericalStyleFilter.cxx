@@ -572,7 +572,7 @@ SphericalStyle::MethodOptions vtkSphericalStyleFilter::MakeOptions() const
   o.detailSize = this->DetailSize;
   o.normalRadius = static_cast<SphericalStyle::NormalRadius>(this->NormalRadius);
   o.size.keep = static_cast<SphericalStyle::KeepSize>(this->KeepSize);
-  o.size.upAxis = this->UpAxis;
+  o.size.up = Eigen::Vector3d::Unit(this->UpAxis);
   o.keepRotations = this->GenerateRotation;
   o.sphericalWeighting = static_cast<SphericalStyle::SphericalWeighting>(this->SphericalWeighting);
   o.concaveEdges = static_cast<SphericalStyle::ConcaveEdges>(this->ConcaveEdges);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace SphericalStyle
 {
@@ -236,6 +237,12 @@ double ClosedFormPreview::Place(
   const Eigen::RowVector3d mean = sums.segment<3>(1) / sums(0);
   Q.rowwise() += mean - sums.segment<3>(4) / sums(0);
 
+  const auto lowest = [&](const Points& X)
+  {
+    const Eigen::VectorXd heights = X * o.size.up;
+    const double none = std::numeric_limits<double>::infinity();
+    return -part.Max(-(heights.size() > 0 ? heights.minCoeff() : none));
+  };
   const auto lengthOf = [&](const Points& X)
   {
     switch (o.size.keep)
@@ -257,8 +264,10 @@ double ClosedFormPreview::Place(
       }
       case KeepSize::Extent:
       {
-        const auto [low, high] = BoundsOf(X, part);
-        return high(o.size.upAxis) - low(o.size.upAxis);
+        const Eigen::VectorXd heights = X * o.size.up;
+        const double none = -std::numeric_limits<double>::infinity();
+        const double high = part.Max(heights.size() > 0 ? heights.maxCoeff() : none);
+        return high - lowest(X);
       }
       case KeepSize::Off:
         break;
@@ -273,8 +282,8 @@ double ClosedFormPreview::Place(
   Q = (factor * (Q.rowwise() - mean)).rowwise() + mean;
   if (o.size.keepOnGround)
   {
-    const auto lowest = [&](const Points& X) { return BoundsOf(X, part).first(o.size.upAxis); };
-    Q.col(o.size.upAxis).array() += lowest(this->P) - lowest(Q);
+    const double rise = lowest(this->P) - lowest(Q);
+    Q.rowwise() += rise * o.size.up.transpose();
   }
   return factor;
 }

@@ -139,12 +139,12 @@ struct PreviewKey
 struct LengthKey
 {
   KeepSize keep;
-  int upAxis;
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
   int pose;
 
   bool operator==(const LengthKey& other) const
   {
-    return this->keep == other.keep && this->upAxis == other.upAxis && this->pose == other.pose;
+    return this->keep == other.keep && this->up == other.up && this->pose == other.pose;
   }
 };
 
@@ -155,6 +155,21 @@ Eigen::RowVector3d OriginInPose(const Points& P, const Points& X)
   const Eigen::RowVector3d to = X.colwise().mean();
   const Eigen::Matrix3d S = (P.rowwise() - from).transpose() * (X.rowwise() - to);
   return to - (ClosestRotation(S) * from.transpose()).transpose();
+}
+
+/// Area and volume of a surface that is there several times are those of all.
+double RadiusOfCopy(const ClosedFormOptions& o, double radius)
+{
+  switch (o.radiusMode)
+  {
+    case RadiusMode::EqualArea:
+      return radius / std::sqrt(o.size.copies);
+    case RadiusMode::EqualVolume:
+      return radius / std::cbrt(o.size.copies);
+    case RadiusMode::Custom:
+      break;
+  }
+  return radius;
 }
 
 /// What moves as a whole.
@@ -530,7 +545,7 @@ Sphere ClosedFormStyle::State::SphereOfAll(const ClosedFormOptions& o)
   // Custom modes take what is given, and say what is wrong with it.
   const Sphere& known = this->WholeSphere.Get();
   const Sphere sphere = { o.centerMode == CenterMode::Custom ? o.custom.center : known.center,
-    o.radiusMode == RadiusMode::Custom ? o.custom.radius : known.radius };
+    o.radiusMode == RadiusMode::Custom ? o.custom.radius : RadiusOfCopy(o, known.radius) };
   return TargetSphere(*this->P, *this->F, CenterMode::Custom, RadiusMode::Custom, sphere);
 }
 
@@ -551,6 +566,10 @@ std::vector<Sphere> ClosedFormStyle::State::Spheres(const ClosedFormOptions& o)
     {
       spheres[k].radius = atRest[k].radius;
     }
+  }
+  for (Sphere& sphere : spheres)
+  {
+    sphere.radius = RadiusOfCopy(o, sphere.radius);
   }
   return spheres;
 }
@@ -742,7 +761,7 @@ void ClosedFormStyle::State::Place(const ClosedFormOptions& o, ClosedFormReport&
   if (moveAll)
   {
     this->RestLength.Update(
-      { o.size.keep, o.size.upAxis, this->Pose }, [&](double& length) { length = measure(); });
+      { o.size.keep, o.size.up, this->Pose }, [&](double& length) { length = measure(); });
     before = this->RestLength.Get();
   }
   else

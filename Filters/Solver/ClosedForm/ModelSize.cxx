@@ -32,14 +32,25 @@ double SumOf(const Points& X, const Triangles& F, int threads, const Function& f
     });
 }
 
-double LowestOf(const Points& X, const std::vector<int>& members, int axis, const SurfacePart& part)
+/// Where the model is highest along a direction.
+double HighestOf(const Points& X, const std::vector<int>& members, const Eigen::Vector3d& direction,
+  int copies, const SurfacePart& part)
 {
-  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
   for (const int i : members)
   {
-    low = std::min(low, X(i, axis));
+    if (i < X.rows() / copies)
+    {
+      high = std::max(high, X.row(i).dot(direction));
+    }
   }
-  return -part.Max(-low);
+  return part.Max(high);
+}
+
+double LowestOf(const Points& X, const std::vector<int>& members, const SizeOptions& options,
+  const SurfacePart& part)
+{
+  return -HighestOf(X, members, -options.up, options.copies, part);
 }
 
 Eigen::RowVector3d MeanOf(const Points& X, const std::vector<int>& members,
@@ -79,13 +90,8 @@ double LengthOf(const Points& X, const Triangles& F, const std::vector<int>& mem
     }
     case KeepSize::Extent:
     {
-      const double low = LowestOf(X, members, options.upAxis, part);
-      double high = -std::numeric_limits<double>::infinity();
-      for (const int i : members)
-      {
-        high = std::max(high, X(i, options.upAxis));
-      }
-      return part.Max(high) - low;
+      const double low = LowestOf(X, members, options, part);
+      return HighestOf(X, members, options.up, options.copies, part) - low;
     }
   }
   return 1.0;
@@ -121,11 +127,10 @@ double RestoreSize(const Points& P, const Triangles& F, const std::vector<int>& 
   }
   if (options.keepOnGround)
   {
-    const double rise =
-      LowestOf(P, members, options.upAxis, part) - LowestOf(Q, members, options.upAxis, part);
+    const double rise = LowestOf(P, members, options, part) - LowestOf(Q, members, options, part);
     for (const int i : members)
     {
-      Q(i, options.upAxis) += rise;
+      Q.row(i) += rise * options.up.transpose();
     }
   }
   return factor;

@@ -21,8 +21,9 @@ enum class KeepSize
 struct SizeOptions
 {
   KeepSize keep = KeepSize::Off;
-  int upAxis = 1;            ///< 0, 1, 2: x, y, z
-  bool keepOnGround = false; ///< the lowest point along the up axis stays on its level
+  Eigen::Vector3d up = Eigen::Vector3d::UnitY(); ///< the up axis, length 1
+  bool keepOnGround = false;                     ///< the lowest point along it stays on its level
+  int copies = 1; ///< of the model in the mesh: the first has extent and ground
 };
 
 /// What is kept, as a length: the root of the area, the cube root of the volume, the extent.

@@ -4,7 +4,9 @@
 
 #include "Stopwatch.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace SphericalStyle
@@ -50,7 +52,7 @@ void SphericalStyleMethod::SetMesh(const TriangleMesh& mesh)
 }
 
 void SphericalStyleMethod::SetMesh(std::shared_ptr<const TriangleMesh> mesh, SurfacePart part,
-  std::shared_ptr<const TriangleMesh> rest)
+  std::shared_ptr<const TriangleMesh> rest, const std::optional<MirrorPlane>& plane)
 {
   if (part.Max(mesh->F.rows() > 0 ? 1.0 : 0.0) == 0.0)
   {
@@ -60,9 +62,14 @@ void SphericalStyleMethod::SetMesh(std::shared_ptr<const TriangleMesh> mesh, Sur
   {
     throw std::invalid_argument("the rest pose has other triangles than the mesh");
   }
+  if (plane && (rest || !part.IsWhole()))
+  {
+    throw std::invalid_argument("a plane of symmetry needs a whole surface without a rest pose");
+  }
   const TriangleMesh* kept = this->Rest ? this->Rest.get() : this->Mesh.get();
   const bool equal = kept && !this->Rest == !rest && this->Part.IsWhole() == part.IsWhole() &&
-    Equal(*kept, rest ? *rest : *mesh);
+    Equal(*kept, rest ? *rest : *mesh) && this->Mirrored.has_value() == plane.has_value() &&
+    (!plane || this->Mirrored->GetPlane() == *plane);
   const bool known = part.Max(equal ? 0.0 : 1.0) == 0.0;
   const bool moved = !known || (rest && !Equal(*this->Mesh, *mesh));
   if (moved)
@@ -77,15 +84,26 @@ void SphericalStyleMethod::SetMesh(std::shared_ptr<const TriangleMesh> mesh, Sur
   }
   this->Part = std::move(part);
   const TriangleMesh& still = rest ? *rest : *mesh;
+  if (!known)
+  {
+    this->Mirrored.reset();
+    this->MeshFrame = FrameOf(still.P, this->Part);
+    if (plane)
+    {
+      this->Mirrored.emplace(still, this->MeshFrame, *plane);
+      this->MeshFrame = this->Mirrored->GetFrame();
+    }
+    this->P = this->MeshFrame.Into(still.P);
+  }
+  const Points& points = this->Mirrored ? this->Mirrored->GetPoints() : this->P;
+  const Triangles& triangles = this->Mirrored ? this->Mirrored->GetTriangles() : still.F;
   if (known)
   {
-    this->Closed.SetEqualMesh(this->P, still.F, this->Part);
+    this->Closed.SetEqualMesh(points, triangles, this->Part);
   }
   else
   {
-    this->MeshFrame = FrameOf(still.P, this->Part);
-    this->P = this->MeshFrame.Into(still.P);
-    this->Closed.SetMesh(this->P, still.F, this->Part);
+    this->Closed.SetMesh(points, triangles, this->Part);
   }
   if (rest)
   {
@@ -105,7 +123,7 @@ ClosedFormOptions SphericalStyleMethod::InFrame(const MethodOptions& o) const
   static_cast<TargetOptions&>(framed) = o.Into(this->MeshFrame);
   static_cast<DetailOptions&>(framed) = o;
   framed.keepLastPoint = o.anchor == Anchor::LastPoint;
-  return framed;
+  return this->Mirrored ? this->Mirrored->Into(std::move(framed)) : framed;
 }
 
 /// Exactly where they are to be.
@@ -124,6 +142,10 @@ Points SphericalStyleMethod::Take(
 {
   const Frame& frame = this->MeshFrame;
   ClosedFormResult result = this->Closed.TakeResult();
+  if (this->Mirrored)
+  {
+    result = this->Mirrored->OutOf(std::move(result));
+  }
   this->Positions = frame.OutOf(std::move(result.positions));
   this->R = std::move(result.rotations);
   this->HoldFixedPoints(o);
@@ -143,10 +165,15 @@ void SphericalStyleMethod::ReportClosedForm(
   const Frame& frame = this->MeshFrame;
   report.closedForm = true;
   report.loop.converged = true;
-  report.pointsOnCenter = closed.pointsOnCenter;
+  std::copy_if(closed.pointsOnCenter.begin(), closed.pointsOnCenter.end(),
+    std::back_inserter(report.pointsOnCenter), [&](int i) { return i < this->P.rows(); });
   report.spheres = closed.spheres;
   for (Sphere& sphere : report.spheres)
   {
+    if (this->Mirrored)
+    {
+      sphere = this->Mirrored->OutOf(sphere);
+    }
     sphere.center = frame.scale * sphere.center + frame.origin.transpose();
     sphere.radius *= frame.scale;
   }
@@ -186,6 +213,10 @@ void SphericalStyleMethod::SolveEnergy(
   {
     throw std::invalid_argument(
       "a rest pose needs the closed form: no energy is minimized with it");
+  }
+  if (this->Mirrored)
+  {
+    throw std::invalid_argument("Symmetry needs the closed form: no energy is minimized with it");
   }
   ClosedFormOptions inFrame = this->InFrame(o);
   StyleOptions rigid = o;
@@ -230,6 +261,10 @@ StyleReport SphericalStyleMethod::Preview(const std::shared_ptr<const PreviewPla
   if (!this->Mesh)
   {
     throw std::invalid_argument("there is no mesh: SetMesh was not called or has thrown");
+  }
+  if (this->Mirrored)
+  {
+    throw std::invalid_argument("with a plane of symmetry there is no preview");
   }
   CheckOptions(options, static_cast<int>(this->P.rows()));
   StyleReport report;

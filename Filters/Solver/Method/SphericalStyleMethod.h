@@ -7,9 +7,11 @@
 
 #include "ClosedFormStyle.h"
 #include "Frame.h"
+#include "MirroredMesh.h"
 #include "StyleSolver.h"
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace SphericalStyle
@@ -42,10 +44,13 @@ public:
   /// then; where one process fails, all need a new SphericalStyleMethod
   /// @param rest  the mesh in its rest pose, with the same triangles, or nullptr: what is made of
   /// it is kept while the mesh moves [pose]; the closed form alone is there then
+  /// @param plane  that the deformation is to be symmetric about [symmetry], of a whole surface
+  /// without a rest pose; the closed form alone is there then
   /// @throw std::invalid_argument for a mesh without triangles, points that are not finite or all
   /// equal, a rest pose of another mesh
   void SetMesh(std::shared_ptr<const TriangleMesh> mesh, SurfacePart part = {},
-    std::shared_ptr<const TriangleMesh> rest = nullptr);
+    std::shared_ptr<const TriangleMesh> rest = nullptr,
+    const std::optional<MirrorPlane>& plane = {});
   /// The same with a copy of it.
   void SetMesh(const TriangleMesh& mesh);
   /// Counts the meshes that were not equal to the one before.
@@ -87,6 +92,7 @@ private:
 
   std::shared_ptr<const TriangleMesh> Mesh; // none at first, and where SetMesh has thrown
   std::shared_ptr<const TriangleMesh> Rest; // none without a rest pose
+  std::optional<MirroredMesh> Mirrored;     // none without a plane of symmetry
   SurfacePart Part;
   Frame MeshFrame;
   Points P; // of the rest pose or the mesh, in the frame

@@ -1204,11 +1204,11 @@ public:
     }
     const auto range = [&](const Points& X)
     {
-      double low = X(last, o.size.upAxis), high = low;
+      double low = X.row(last).dot(o.size.up), high = low;
       for (const int i : members)
       {
-        low = std::min(low, X(i, o.size.upAxis));
-        high = std::max(high, X(i, o.size.upAxis));
+        low = std::min(low, X.row(i).dot(o.size.up));
+        high = std::max(high, X.row(i).dot(o.size.up));
       }
       return std::pair<double, double>(low, high);
     };
@@ -1238,7 +1238,7 @@ public:
       const double rise = range(this->P).first - range(this->Positions).first;
       for (const int i : members)
       {
-        this->Positions(i, o.size.upAxis) += rise;
+        this->Positions.row(i) += rise * o.size.up.transpose();
       }
     }
   }

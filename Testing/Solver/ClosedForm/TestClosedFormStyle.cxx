@@ -275,7 +275,7 @@ void AgainstReference()
               const std::size_t m = combination++ % meshes.size();
               MethodOptions o = Closed(random.Unit() < 0.5 ? 0.6 : 3.0, blend, detailSize);
               o.normalRadius = radius;
-              o.size = { keep, up, ground };
+              o.size = { keep, Vector::Unit(up), ground };
               std::ostringstream what;
               what << meshes[m].name << ": lambda " << o.lambda << " a " << blend << " s "
                    << detailSize << (radius == NormalRadius::OwnThickness ? " own" : " whole")
@@ -334,7 +334,7 @@ void LambdaZero()
       { KeepSize::Off, KeepSize::Area, KeepSize::Volume, KeepSize::Extent })
     {
       MethodOptions o = Closed(0.0, 0.6, detailSize);
-      o.size = { keep, 2, true };
+      o.size = { keep, Vector::UnitZ(), true };
       CHECK(Meshes::SameBits(Deformed(mesh, o), mesh.P), "lambda 0 moves points");
       o.lambda = 2.0;
       o.roundnessFactors = Eigen::VectorXd::Zero(mesh.P.rows());
@@ -353,9 +353,9 @@ std::vector<MethodOptions> Styles()
 {
   std::vector<MethodOptions> styles = { Closed(0.5, 0.0, 0.03), Closed(1.0, 0.6, 0.06),
     Closed(3.0, 1.0, 0.06), Closed(0.7, 0.5, 0.0) };
-  styles[1].size = { KeepSize::Area, 1, true };
-  styles[2].size = { KeepSize::Extent, 2, false };
-  styles[3].size = { KeepSize::Volume, 0, true };
+  styles[1].size = { KeepSize::Area, Vector::UnitY(), true };
+  styles[2].size = { KeepSize::Extent, Vector::UnitZ(), false };
+  styles[3].size = { KeepSize::Volume, Vector::UnitX(), true };
   return styles;
 }
 
@@ -458,7 +458,10 @@ void Mirror()
   {
     const std::string what =
       "s " + std::to_string(o.detailSize) + " a " + std::to_string(o.normalBlend);
-    o.size.upAxis = std::max(1, o.size.upAxis); // there is no ground on one side of a mirror
+    if (o.size.up(0) != 0.0) // there is no ground on one side of a mirror
+    {
+      o.size.up = Eigen::Vector3d::UnitY();
+    }
     const TriangleMesh mesh = Body(4);
     for (int turned = 0; turned < 2; ++turned) // whether the mirror image still faces outward
     {
