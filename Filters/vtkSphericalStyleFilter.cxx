@@ -15,6 +15,7 @@
 #include "vtkStyleReview.h"
 #include "vtkSurfaceMeshConversion.h"
 #include "vtkSurfaceRegion.h"
+#include "vtkSymmetryPlane.h"
 #include "vtkTargetSphere.h"
 
 #include "vtkCellArray.h"
@@ -34,6 +35,9 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -102,6 +106,16 @@ struct vtkSphericalStyleFilter::Internals
   SphericalStyle::SphericalStyleMethod Solver;
   vtkStyleReview Review;
   std::shared_ptr<const vtkProcesses> Processes; // of the last execution on parts
+
+  /// The plane of symmetry of a surface, and the share of it that is near its mirror image.
+  struct Planes
+  {
+    std::shared_ptr<const vtkSurfaceMesh> Surface; // none before the first
+    int Symmetry = NO_SYMMETRY;
+    SphericalStyle::MirrorPlane Plane;
+    double Share = 0.0;
+  };
+  Planes Known;
 };
 
 /// What an execution solves, and how it ends.
@@ -111,6 +125,7 @@ struct vtkSphericalStyleFilter::Execution
   std::shared_ptr<const SphericalStyle::TriangleMesh> Rest; // or nullptr
   std::vector<char> Region;                                 // see vtkSurfaceRegion::Marks
   Eigen::VectorXd RegionWeights;                            // how much moves, n, or none for all
+  std::optional<SphericalStyle::MirrorPlane> Plane;         // of symmetry
   SphericalStyle::MethodOptions Options;                    // as wanted
   SphericalStyle::StyleReport Report;
   vtkFoldGuard::Result Guarded; // empty without the guard
@@ -233,7 +248,7 @@ bool vtkSphericalStyleFilter::WorksOnParts(
   o.anchor = static_cast<SphericalStyle::Anchor>(this->Anchor);
   const bool needsWhole = !SphericalStyle::IsClosedForm(o) ||
     o.anchor == SphericalStyle::Anchor::LastPoint || this->ReproduceThesis ||
-    this->AvoidSelfIntersections || !this->WeldCoincidentPoints ||
+    this->AvoidSelfIntersections || !this->WeldCoincidentPoints || this->Symmetry != NO_SYMMETRY ||
     this->RefineLongEdges == vtkLongEdges::ALWAYS || this->AsksFor(vtkStyleArrays::REGION_MASK) ||
     this->AsksFor(vtkStyleArrays::CENTER_ID) || vtkSelection::GetData(inputVector[SELECTION], 0) ||
     vtkPolyData::GetData(inputVector[REST_POSE], 0);
@@ -360,7 +375,8 @@ bool vtkSphericalStyleFilter::CanPreview(
   }
   return SphericalStyle::IsClosedForm(o) && o.anchor == SphericalStyle::Anchor::Centroid &&
     !this->ReproduceThesis && !this->AvoidSelfIntersections && this->WeldCoincidentPoints &&
-    !asksForArrays && !vtkSelection::GetData(inputVector[SELECTION], 0) &&
+    this->Symmetry == NO_SYMMETRY && !asksForArrays &&
+    !vtkSelection::GetData(inputVector[SELECTION], 0) &&
     !vtkPolyData::GetData(inputVector[REST_POSE], 0) &&
     !(givenNormals && this->DetailSize == 0.0 && this->NormalBlend > 0.0);
 }
@@ -462,6 +478,7 @@ int vtkSphericalStyleFilter::Execute(vtkInformationVector** inputVector,
   vtkStyleHistory::Fill(history, e.Report, "Spherical");
   vtkFoldGuard::Fill(history, e.Guarded);
   vtkStyleHistory::AddAdvice(history, this->GetAdvice());
+  vtkStyleHistory::AddPlane(history, e.Plane);
   vtkStyleHistory::AddBytes(history, bytes);
   vtkTargetSphere::Fill(vtkPolyData::GetData(outputVector, 2), e.Report.spheres);
   return 1;
@@ -496,6 +513,15 @@ void vtkSphericalStyleFilter::CheckProperties() const
          std::pair("CenterBlendWidth", this->CenterBlendWidth) })
   {
     Require(value >= 0.0 && value <= 1.0, name, "in 0..1", value);
+  }
+  for (const auto& [on, what] : { std::pair(this->AvoidSelfIntersections, "AvoidSelfIntersections"),
+         std::pair(this->ReproduceThesis, "ReproduceThesis") })
+  {
+    if (on && this->Symmetry != NO_SYMMETRY)
+    {
+      throw std::invalid_argument(
+        std::string("Symmetry and ") + what + " cannot be used together: switch one of them off");
+    }
   }
   Require(this->MaximumEdgeLength >= 0.001 && this->MaximumEdgeLength <= 1.0, "MaximumEdgeLength",
     "in 0.001..1", this->MaximumEdgeLength);
@@ -558,6 +584,56 @@ void vtkSphericalStyleFilter::Take(vtkInformationVector** inputVector, Internals
   {
     e.Options = SphericalStyle::ThesisOptions(e.Options);
   }
+  if (this->Symmetry != NO_SYMMETRY && e.HasTriangles())
+  {
+    this->TakePlane(internal, e);
+  }
+}
+
+/// [symmetry]
+void vtkSphericalStyleFilter::TakePlane(Internals& internal, Execution& e)
+{
+  if (e.Rest)
+  {
+    throw std::invalid_argument("Symmetry and a rest pose cannot be used together: switch Symmetry "
+                                "off, or take the rest pose away");
+  }
+  Internals::Planes& known = internal.Known;
+  if (known.Surface != e.Model.Surface || known.Symmetry != this->Symmetry)
+  {
+    this->SetProgressText("Looking for the plane of symmetry");
+    known.Surface.reset(); // should it throw
+    vtkSymmetryPlane search(e.Surface().Mesh, e.Options.threads);
+    known.Plane =
+      this->Symmetry == FOUND_PLANE ? search.Find() : search.FindAcross(this->Symmetry - ACROSS_X);
+    known.Share = search.ShareNear(known.Plane);
+    known.Symmetry = this->Symmetry;
+    known.Surface = e.Model.Surface;
+    this->SetProgressText("Rounding");
+  }
+  e.Plane = known.Plane;
+  if (known.Share < vtkSymmetryPlane::LeastShare)
+  {
+    const std::string fact = "only " + std::to_string(std::lround(100.0 * known.Share)) +
+      " % of the surface comes within 2 % of the diagonal of its mirror image";
+    if (this->Symmetry == FOUND_PLANE)
+    {
+      throw std::invalid_argument("Symmetry: there is no plane of symmetry: about the best one, " +
+        fact + ". Set Symmetry to X, Y or Z for a plane across that axis, or to Off");
+    }
+    Warn(this, "Symmetry: about the plane across this axis, " + fact);
+  }
+  if (this->CenterMode == CUSTOM_CENTER)
+  {
+    const double distance = std::abs(e.Plane->DistanceOf(Eigen::Vector3d(this->Center)));
+    if (distance > 1e-6 * SphericalStyle::FrameOf(e.Surface().Mesh.P).scale)
+    {
+      std::ostringstream message;
+      message << "Center is " << distance
+              << " away from the plane of symmetry, and is moved onto it";
+      Warn(this, message.str());
+    }
+  }
 }
 
 SphericalStyle::MethodOptions vtkSphericalStyleFilter::MakeOptions() const
@@ -614,7 +690,7 @@ void vtkSphericalStyleFilter::Solve(Internals& internal, Execution& e)
       e.Q = e.Guarded.Positions;
       return;
     }
-    internal.Solver.SetMesh(e.Model.ShareMesh(), e.Part(), e.Rest);
+    internal.Solver.SetMesh(e.Model.ShareMesh(), e.Part(), e.Rest, e.Plane);
     e.Report = internal.Solver.Solve(e.Options, goOn);
     e.Q = internal.Solver.TakePositions();
     if (e.RegionWeights.size() > 0)
@@ -718,6 +794,7 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepSize: " << this->KeepSize << "\n";
   os << indent << "KeepOnGround: " << OnOff(this->KeepOnGround) << "\n";
   os << indent << "UpAxis: " << this->UpAxis << "\n";
+  os << indent << "Symmetry: " << this->Symmetry << "\n";
   os << indent << "CenterMode: " << this->CenterMode << "\n";
   os << indent << "Center: " << Triple(this->Center) << "\n";
   os << indent << "RadiusMode: " << this->RadiusMode << "\n";

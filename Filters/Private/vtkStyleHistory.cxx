@@ -67,6 +67,19 @@ void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char
   }
 }
 
+void AddPlane(vtkTable* table, const std::optional<SphericalStyle::MirrorPlane>& plane)
+{
+  if (plane)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName("SymmetryPlane");
+    array->SetNumberOfComponents(3);
+    array->InsertNextTuple(plane->origin.data());
+    array->InsertNextTuple(plane->normal.data());
+    table->GetFieldData()->AddArray(array);
+  }
+}
+
 void AddAdvice(vtkTable* table, const char* advice)
 {
   vtkNew<vtkStringArray> array;

@@ -5,8 +5,10 @@
 #ifndef vtkStyleHistory_h
 #define vtkStyleHistory_h
 
+#include "MirrorPlane.h"
 #include "StyleSolver.h" // for StyleReport
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,9 @@ void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char
 
 /// The advice as field data.
 void AddAdvice(vtkTable* table, const char* advice);
+
+/// The plane of symmetry as field data: a point of it and the normal; nothing without.
+void AddPlane(vtkTable* table, const std::optional<SphericalStyle::MirrorPlane>& plane);
 
 /// What the processes of a surface that is spread have sent and received, as field data; nothing
 /// without.

@@ -48,6 +48,7 @@ def round(
     sphere_of: Literal["WholeModel", "Region"] = ...,
     spherical_weighting: Literal["Uniform", "Cotangent"] = ...,
     stop_rule: Literal["Converged", "Thesis", "FixedIterations"] = ...,
+    symmetry: Literal["Off", "Automatic", "X", "Y", "Z"] = ...,
     tolerance: float = ...,
     transform_all_input_vectors: bool = ...,
     up_axis: Literal["X", "Y", "Z"] = ...,

@@ -74,6 +74,12 @@ inline std::vector<Subject> Subjects()
         f->SetKeepSizeToExtent();
         f->KeepOnGroundOn();
       }),
+    SubjectOf<Main>("vtkSphericalStyleFilter with a plane of symmetry",
+      [](Main* f)
+      {
+        SetUpDefaults(f);
+        f->SetSymmetryToX();
+      }),
     SubjectOf<Main>("vtkSphericalStyleFilter with uniform weights",
       [](Main* f)
       {

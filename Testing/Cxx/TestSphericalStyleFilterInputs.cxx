@@ -780,6 +780,8 @@ void Executions(Checker& check)
   changed("KeepOnGround");
   filter->SetUpAxisToZ();
   changed("UpAxis");
+  filter->SetSymmetryToX();
+  changed("Symmetry");
   filter->SetRefineLongEdgesToAutomatic();
   changed("RefineLongEdges");
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "None");
@@ -800,6 +802,7 @@ void Properties(Checker& check)
   RoundTrip(KeepSize, 1, 3);
   OnOff(KeepOnGround, false);
   RoundTrip(UpAxis, 1, 2);
+  RoundTrip(Symmetry, 0, 2);
   RoundTrip(CenterMode, 1, 2);
   RoundTrip(RadiusMode, 0, 2);
   RoundTrip(Radius, 1.0, 7.0);
@@ -839,6 +842,7 @@ void Properties(Checker& check)
   Clamped(KeepSize, 4, 3);
   Clamped(KeepSize, -1, 0);
   Clamped(UpAxis, 3, 2);
+  Clamped(Symmetry, 5, 4);
   filter->SetRefineLongEdges(true); // it was a bool once
   check(filter->GetRefineLongEdges() == 1, "true should be Automatic");
   Clamped(RefineLongEdges, 3, 2);
@@ -869,6 +873,11 @@ void Properties(Checker& check)
   Mode(UpAxis, X, X_AXIS, 0);
   Mode(UpAxis, Y, Y_AXIS, 1);
   Mode(UpAxis, Z, Z_AXIS, 2);
+  Mode(Symmetry, Off, NO_SYMMETRY, 0);
+  Mode(Symmetry, Automatic, FOUND_PLANE, 1);
+  Mode(Symmetry, X, ACROSS_X, 2);
+  Mode(Symmetry, Y, ACROSS_Y, 3);
+  Mode(Symmetry, Z, ACROSS_Z, 4);
   Mode(RefineLongEdges, Off, NEVER, 0);
   Mode(RefineLongEdges, Automatic, WHERE_COARSE, 1);
   Mode(RefineLongEdges, On, ALWAYS, 2);
@@ -882,14 +891,14 @@ void Properties(Checker& check)
 
   std::ostringstream printed;
   filter->Print(printed);
-  for (const char* name :
-    { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode", "Radius", "DetailSize",
-      "SphericalWeighting", "EdgeWeighting", "StopRule", "Tolerance", "MaximumNumberOfIterations",
-      "NormalRadius", "KeepSize", "KeepOnGround", "UpAxis", "RefineLongEdges", "MaximumEdgeLength",
-      "ReproduceThesis", "OutputPointsPrecision", "NumberOfThreads", "TransformAllInputVectors",
-      "GenerateDisplacement", "GenerateNormals", "GenerateRotation", "NumberOfIterations",
-      "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius", "AvoidSelfIntersections",
-      "TurnedOverBefore", "TurnedOverAfter", "NewIntersectionsBefore", "NewIntersectionsAfter" })
+  for (const char* name : { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode",
+         "Radius", "DetailSize", "SphericalWeighting", "EdgeWeighting", "StopRule", "Tolerance",
+         "MaximumNumberOfIterations", "NormalRadius", "KeepSize", "KeepOnGround", "UpAxis",
+         "Symmetry", "RefineLongEdges", "MaximumEdgeLength", "ReproduceThesis",
+         "OutputPointsPrecision", "NumberOfThreads", "TransformAllInputVectors",
+         "GenerateDisplacement", "GenerateNormals", "GenerateRotation", "NumberOfIterations",
+         "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius", "AvoidSelfIntersections",
+         "TurnedOverBefore", "TurnedOverAfter", "NewIntersectionsBefore", "NewIntersectionsAfter" })
   {
     check(Contains(printed.str(), std::string(" ") + name + ": "),
       std::string("PrintSelf should print ") + name);

@@ -165,6 +165,8 @@ Subject MakeSphericalStyle(Bytes& bytes)
   {
     f->SetSelectionData(SelectionFromBytes(bytes));
   }
+  const int symmetry = bytes.Below(16);
+  f->SetSymmetry(symmetry <= vtkSphericalStyleFilter::ACROSS_Z ? symmetry : 0);
   return { f,
     f->GetRefineLongEdges() == vtkSphericalStyleFilter::NEVER || f->GetReproduceThesis() };
 }

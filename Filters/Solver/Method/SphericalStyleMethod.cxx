@@ -44,6 +44,23 @@ bool Equal(const TriangleMesh& one, const TriangleMesh& other)
     (one.F.rows() == other.F.rows() && one.P.rows() == other.P.rows() && one.F == other.F &&
       one.P == other.P);
 }
+
+void CheckMesh(const TriangleMesh& mesh, const SurfacePart& part, const TriangleMesh* rest,
+  const std::optional<MirrorPlane>& plane)
+{
+  if (part.Max(mesh.F.rows() > 0 ? 1.0 : 0.0) == 0.0)
+  {
+    throw std::invalid_argument("the mesh has no triangle");
+  }
+  if (rest && (rest->P.rows() != mesh.P.rows() || rest->F != mesh.F))
+  {
+    throw std::invalid_argument("the rest pose has other triangles than the mesh");
+  }
+  if (plane && (rest || !part.IsWhole()))
+  {
+    throw std::invalid_argument("a plane of symmetry needs a whole surface without a rest pose");
+  }
+}
 }
 
 void SphericalStyleMethod::SetMesh(const TriangleMesh& mesh)
@@ -54,18 +71,7 @@ void SphericalStyleMethod::SetMesh(const TriangleMesh& mesh)
 void SphericalStyleMethod::SetMesh(std::shared_ptr<const TriangleMesh> mesh, SurfacePart part,
   std::shared_ptr<const TriangleMesh> rest, const std::optional<MirrorPlane>& plane)
 {
-  if (part.Max(mesh->F.rows() > 0 ? 1.0 : 0.0) == 0.0)
-  {
-    throw std::invalid_argument("the mesh has no triangle");
-  }
-  if (rest && (rest->P.rows() != mesh->P.rows() || rest->F != mesh->F))
-  {
-    throw std::invalid_argument("the rest pose has other triangles than the mesh");
-  }
-  if (plane && (rest || !part.IsWhole()))
-  {
-    throw std::invalid_argument("a plane of symmetry needs a whole surface without a rest pose");
-  }
+  CheckMesh(*mesh, part, rest.get(), plane);
   const TriangleMesh* kept = this->Rest ? this->Rest.get() : this->Mesh.get();
   const bool equal = kept && !this->Rest == !rest && this->Part.IsWhole() == part.IsWhole() &&
     Equal(*kept, rest ? *rest : *mesh) && this->Mirrored.has_value() == plane.has_value() &&
@@ -83,7 +89,23 @@ void SphericalStyleMethod::SetMesh(std::shared_ptr<const TriangleMesh> mesh, Sur
     this->Rest.reset();
   }
   this->Part = std::move(part);
-  const TriangleMesh& still = rest ? *rest : *mesh;
+  this->TakeAtRest(rest ? *rest : *mesh, plane, known);
+  if (rest)
+  {
+    if (moved)
+    {
+      this->X = this->MeshFrame.Into(mesh->P);
+    }
+    this->Closed.SetPose(this->X, moved);
+  }
+  this->Mesh = std::move(mesh); // one of those that are equal may be the only one left
+  this->Rest = std::move(rest);
+}
+
+/// @param known  whether they are equal to the last ones
+void SphericalStyleMethod::TakeAtRest(
+  const TriangleMesh& still, const std::optional<MirrorPlane>& plane, bool known)
+{
   if (!known)
   {
     this->Mirrored.reset();
@@ -105,16 +127,6 @@ void SphericalStyleMethod::SetMesh(std::shared_ptr<const TriangleMesh> mesh, Sur
   {
     this->Closed.SetMesh(points, triangles, this->Part);
   }
-  if (rest)
-  {
-    if (moved)
-    {
-      this->X = this->MeshFrame.Into(mesh->P);
-    }
-    this->Closed.SetPose(this->X, moved);
-  }
-  this->Mesh = std::move(mesh); // one of those that are equal may be the only one left
-  this->Rest = std::move(rest);
 }
 
 ClosedFormOptions SphericalStyleMethod::InFrame(const MethodOptions& o) const

@@ -82,6 +82,7 @@ public:
   const Eigen::VectorXd& GetCellEnergies() const { return this->CellEnergies; }
 
 private:
+  void TakeAtRest(const TriangleMesh& still, const std::optional<MirrorPlane>& plane, bool known);
   ClosedFormOptions InFrame(const MethodOptions& options) const;
   void ReportClosedForm(const ClosedFormReport& closed, StyleReport& report) const;
   void SolveClosedForm(const MethodOptions& options, const Callback& callback, StyleReport& report);

@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSymmetryPlane.h"
+
+#include "Parallel.h"
+#include "SurfaceMeasures.h"
+
+#include "vtkCellArray.h"
+#include "vtkGenericCell.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStaticCellLocator.h"
+#include "vtkStaticPointLocator.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using SphericalStyle::MirrorPlane;
+
+namespace
+{
+constexpr int AllSamples = 20000;
+constexpr double LeastArea = 1e-12; // of triangles whose planes VTK can tell
+constexpr double Near = 0.02;
+constexpr double Far = 0.05;
+constexpr double AlmostAxis = 1e-9; // distance of a unit normal below which it is the axis
+
+vtkSmartPointer<vtkPoints> PointsOf(const SphericalStyle::Points& P)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(P.rows());
+  for (Eigen::Index i = 0; i < P.rows(); ++i)
+  {
+    points->SetPoint(i, P(i, 0), P(i, 1), P(i, 2));
+  }
+  return points;
+}
+
+/// Of equal area: the first ones are spread as evenly as all are, by the generalized golden ratio
+/// of three dimensions.
+void TakeSamples(const SphericalStyle::TriangleMesh& mesh, SphericalStyle::Points& samples,
+  SphericalStyle::Points& normals)
+{
+  const Eigen::VectorXd areas = SphericalStyle::TriangleAreas(mesh.P, mesh.F);
+  std::vector<double> sums(areas.size());
+  std::partial_sum(areas.begin(), areas.end(), sums.begin());
+  double along = 0.5;
+  double u = 0.5;
+  double v = 0.5;
+  const auto advance = [](double& at, double by) { at = at + by - std::floor(at + by); };
+  for (int k = 0; k < samples.rows(); ++k)
+  {
+    advance(along, 0.8191725133961645);
+    advance(u, 0.6710436067037893);
+    advance(v, 0.5497004779019703);
+    const auto found = std::upper_bound(sums.begin(), sums.end(), along * sums.back());
+    const auto f = std::min<Eigen::Index>(found - sums.begin(), areas.size() - 1);
+    const Eigen::RowVector3d a = mesh.P.row(mesh.F(f, 0));
+    const Eigen::RowVector3d b = mesh.P.row(mesh.F(f, 1)) - a;
+    const Eigen::RowVector3d c = mesh.P.row(mesh.F(f, 2)) - a;
+    const double root = std::sqrt(u);
+    samples.row(k) = a + root * ((1.0 - v) * b + v * c);
+    normals.row(k) = b.cross(c).stableNormalized();
+  }
+}
+}
+
+/// A mirrored sample.
+struct vtkSymmetryPlane::Image
+{
+  Vector3d sample;
+  double distance;    // of the image from the surface
+  Vector3d direction; // of that
+  double along;       // the distance along it
+};
+
+struct vtkSymmetryPlane::Search
+{
+  int samples;
+  int rounds;
+  bool exact;              // the surface itself, and not samples of it
+  double converged = 1e-6; // step, where the diagonal is 1
+  bool turns = true;       // whether the normal is looked for, too
+};
+
+vtkSymmetryPlane::vtkSymmetryPlane(const SphericalStyle::TriangleMesh& mesh, int threads)
+  : Units(SphericalStyle::FrameOf(mesh.P))
+  , Mesh{ this->Units.Into(mesh.P), mesh.F }
+  , Samples(AllSamples, 3)
+  , Normals(AllSamples, 3)
+  , Threads(threads)
+  , Points(vtkStaticPointLocator::New(), [](vtkStaticPointLocator* l) { l->Delete(); })
+{
+  TakeSamples(this->Mesh, this->Samples, this->Normals);
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(PointsOf(this->Samples));
+  this->Points->SetDataSet(cloud);
+  this->Points->BuildLocator();
+}
+
+vtkSymmetryPlane::~vtkSymmetryPlane() = default;
+
+std::vector<vtkSymmetryPlane::Image> vtkSymmetryPlane::Mirror(
+  const MirrorPlane& plane, const Search& search) const
+{
+  std::vector<Image> images(search.samples);
+  SphericalStyle::ParallelFor(search.samples, this->Threads,
+    [&](int begin, int end)
+    {
+      vtkNew<vtkGenericCell> cell;
+      for (int k = begin; k < end; ++k)
+      {
+        Image& image = images[k];
+        image.sample = this->Samples.row(k);
+        const Vector3d place = plane.Mirror(image.sample);
+        if (!search.exact)
+        {
+          const vtkIdType nearest = this->Points->FindClosestPoint(place.data());
+          const Vector3d offset = place - this->Samples.row(nearest).transpose();
+          image.distance = offset.norm();
+          image.direction = this->Normals.row(nearest);
+          image.along = image.direction.dot(offset);
+          continue;
+        }
+        Vector3d closest;
+        vtkIdType id = -1;
+        int part = 0;
+        double square = 0.0;
+        this->Cells->FindClosestPoint(place.data(), closest.data(), cell, id, part, square);
+        const Vector3d offset = place - closest;
+        image.distance = offset.norm();
+        image.direction = offset.stableNormalized();
+        image.along = image.distance;
+      }
+    });
+  return images;
+}
+
+double vtkSymmetryPlane::Cost(const MirrorPlane& plane, const Search& search) const
+{
+  double sum = 0.0;
+  for (const Image& image : this->Mirror(plane, search))
+  {
+    sum += std::min(image.distance, Far);
+  }
+  return sum / search.samples;
+}
+
+double vtkSymmetryPlane::ShareNear(const MirrorPlane& plane) const
+{
+  const MirrorPlane framed{ this->Units.Into(plane.origin.transpose()).transpose(), plane.normal };
+  const std::vector<Image> images = this->Mirror(framed, { AllSamples, 0, false });
+  const auto near = std::count_if(
+    images.begin(), images.end(), [&](const Image& image) { return image.distance < Near; });
+  return static_cast<double>(near) / AllSamples;
+}
+
+MirrorPlane vtkSymmetryPlane::Refined(MirrorPlane plane, const Search& search) const
+{
+  for (int round = 0; round < search.rounds; ++round)
+  {
+    const std::vector<Image> images = this->Mirror(plane, search);
+    std::vector<double> distances;
+    distances.reserve(images.size());
+    for (const Image& image : images)
+    {
+      distances.push_back(image.distance);
+    }
+    const auto middle = distances.begin() + search.samples / 2;
+    std::nth_element(distances.begin(), middle, distances.end());
+    const double usual = 3.0 * std::max(*middle, 1e-12);
+    // Unknown: by how much the normal leans toward u and v, and how far the plane moves along it.
+    const Vector3d n = plane.normal;
+    const Vector3d u = n.unitOrthogonal();
+    const Vector3d v = n.cross(u);
+    Matrix3d A = Matrix3d::Zero();
+    Vector3d b = Vector3d::Zero();
+    for (const Image& image : images)
+    {
+      const Vector3d& m = image.direction;
+      const double off = image.distance / usual;
+      const double weight = 1.0 / (1.0 + off * off);
+      const Vector3d from = image.sample - plane.origin;
+      const double height = n.dot(from);
+      const Vector3d slope(-2.0 * (u.dot(from) * n.dot(m) + height * u.dot(m)),
+        -2.0 * (v.dot(from) * n.dot(m) + height * v.dot(m)), 2.0 * n.dot(m));
+      A += weight * slope * slope.transpose();
+      b -= weight * image.along * slope;
+    }
+    A.diagonal().array() += 1e-12 * A.trace() + 1e-300; // a sphere has no plane of its own
+    const Vector3d step =
+      search.turns ? Vector3d(A.ldlt().solve(b)) : Vector3d(0.0, 0.0, b(2) / A(2, 2));
+    const double size = step.norm();
+    if (!std::isfinite(size))
+    {
+      break;
+    }
+    const Vector3d bounded = size > 0.2 ? Vector3d(0.2 / size * step) : step;
+    plane.origin += bounded(2) * n;
+    plane.normal = (n + bounded(0) * u + bounded(1) * v).normalized();
+    if (size < search.converged)
+    {
+      break;
+    }
+  }
+  return plane;
+}
+
+void vtkSymmetryPlane::BuildCells()
+{
+  this->Cells.reset(vtkStaticCellLocator::New(), [](vtkStaticCellLocator* l) { l->Delete(); });
+  vtkNew<vtkCellArray> triangles;
+  const Eigen::VectorXd areas = SphericalStyle::TriangleAreas(this->Mesh.P, this->Mesh.F);
+  for (Eigen::Index f = 0; f < this->Mesh.F.rows(); ++f)
+  {
+    if (areas(f) > LeastArea)
+    {
+      triangles->InsertNextCell({ this->Mesh.F(f, 0), this->Mesh.F(f, 1), this->Mesh.F(f, 2) });
+    }
+  }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(PointsOf(this->Mesh.P));
+  surface->SetPolys(triangles);
+  surface->BuildCells();
+  this->Cells->SetDataSet(surface);
+  this->Cells->BuildLocator();
+}
+
+MirrorPlane vtkSymmetryPlane::Find()
+{
+  this->BuildCells();
+  const Vector3d mean = this->Samples.colwise().mean().transpose();
+  const SphericalStyle::Points from = this->Samples.rowwise() - mean.transpose();
+  const Matrix3d axes =
+    Eigen::SelfAdjointEigenSolver<Matrix3d>(from.transpose() * from).eigenvectors();
+  // First the axes of the coordinates: of equals the first is taken.
+  std::vector<Vector3d> directions = { Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ() };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    directions.emplace_back(axes.col(axis));
+  }
+  for (int k = 0; k < 27; ++k)
+  {
+    const Vector3d direction = Eigen::Vector3i(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1).cast<double>();
+    if (k > 13 && direction.squaredNorm() > 1.5)
+    {
+      directions.emplace_back(direction.normalized());
+    }
+  }
+  MirrorPlane best;
+  double least = INFINITY;
+  for (const Vector3d& direction : directions)
+  {
+    const Search few{ 400, 10, false };
+    const MirrorPlane plane = this->Refined({ mean, direction }, few);
+    const double cost = this->Cost(plane, few);
+    if (cost < 0.98 * least - 1e-5) // of about equals the first
+    {
+      least = cost;
+      best = plane;
+    }
+  }
+  best = this->Refined(best, { 4000, 20, false });
+  best = this->Refined(best, { 1000, 12, true, 1e-14 });
+  best.origin = mean - best.DistanceOf(mean) * best.normal;
+  int axis = 0;
+  best.normal.cwiseAbs().maxCoeff(&axis);
+  best.normal *= std::copysign(1.0, best.normal(axis));
+  if ((best.normal - Vector3d::Unit(axis)).norm() < AlmostAxis)
+  {
+    best.normal = Vector3d::Unit(axis);
+  }
+  return this->OutOfFrame(best);
+}
+
+MirrorPlane vtkSymmetryPlane::OutOfFrame(const MirrorPlane& plane) const
+{
+  return { this->Units.OutOf(plane.origin.transpose()).transpose(), plane.normal };
+}
+
+MirrorPlane vtkSymmetryPlane::FindAcross(int axis)
+{
+  this->BuildCells();
+  const MirrorPlane middle{ this->Samples.colwise().mean().transpose(), Vector3d::Unit(axis) };
+  const MirrorPlane near = this->Refined(middle, { 4000, 20, false, 1e-6, false });
+  return this->OutOfFrame(this->Refined(near, { 1000, 12, true, 1e-14, false }));
+}
