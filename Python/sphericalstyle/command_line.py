@@ -228,10 +228,11 @@ def _plan(parser, arguments):
 def _plan_folder(parser, arguments, inputs, output):
     if output.suffix.lower() in WRITERS and not output.is_dir() or output.is_file():
         parser.error(f"{printable(output)}: several models need a folder for the results")
+    where = "with --output" if arguments.output else "for several models"
     if arguments.picture and arguments.picture.suffix:
-        parser.error("--picture: several models need a folder for pictures")
+        parser.error(f"--picture: give a folder, not a file, {where}")
     if arguments.html and arguments.html.suffix:
-        parser.error("--html: several models need a folder for pages")
+        parser.error(f"--html: give a folder, not a file, {where}")
     if arguments.slider and arguments.format not in (None, "glb", "gltf"):
         parser.error("--slider: the format is glb or gltf")
     jobs, taken = [], {}

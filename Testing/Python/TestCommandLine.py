@@ -217,6 +217,7 @@ refused("did you mean '--roundness'?", creature, output / "x.ply", "--roundnes",
 refused("ends in .json or .csv", creature, output / "x.ply", "--report", output / "x.txt")
 refused("ends in .png", creature, output / "x.ply", "--picture", output / "x.jpg")
 refused("several models need a folder", data, output / "x.ply")
+refused("--picture: give a folder, not a file, with --output", creature, "--output", output / "y", "--picture", "x.png")
 refused("no models", output / "models", output / "y") if (output / "models").mkdir() is None else None
 assert not (output / "x.ply").exists() and not (output / "y").exists()
 

@@ -99,5 +99,6 @@ assert sorted(os.listdir(place("many"))) == ["cube.vtp.glb", "snowman.vtp.glb"],
 assert sorted(os.listdir(place("pages"))) == ["cube.vtp.html", "snowman.vtp.html"]
 assert "has to end in .glb or .gltf" in run(source, place("snow.ply"), "--slider", code=2)
 assert "ends in .html" in run(source, place("snow.ply"), "--html", place("x.png"), code=2)
-assert "need a folder for pages" in run(source, source, "--output", place("o"), "--html", "x.html", code=2)
+said = run(source, source, "--output", place("o"), "--html", "x.html", code=2)
+assert "--html: give a folder, not a file, with --output" in said, said
 assert "the format is glb or gltf" in run(source, source, "--output", place("o"), "--slider", "--format", "ply", code=2)
