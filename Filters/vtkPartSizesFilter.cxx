@@ -59,6 +59,13 @@ std::string List(const std::vector<vtkIdType>& numbers)
   }
   return list + (numbers.size() > Most ? ", ..." : "");
 }
+
+/// Three digits of a number above 0, rounded down or up.
+std::string Digits(double number, bool up)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 2.0);
+  return Text((up ? std::ceil(number / unit) : std::floor(number / unit)) * unit);
+}
 }
 
 /// What the array says, and the sizes.
@@ -67,6 +74,7 @@ struct vtkResizedParts
   std::vector<int> OfPoints;      // of each mesh point, a place in the next
   std::vector<vtkIdType> Numbers; // in the array, ascending
   Eigen::VectorXd Sizes;          // as wanted
+  std::vector<bool> Given;        // whether a size was, for each
 
   int Count() const { return static_cast<int>(this->Numbers.size()); }
   /// Of the part of that number; Count() if there is none.
@@ -94,11 +102,22 @@ struct vtkResizedParts
 
 namespace
 {
-/// [sizes] HeadHeight @param P  in the frame @param number  of the head, or -1
+/// [head] What hangs on the head alone goes along with it.
+/// @param P  in the frame @param number  of the head, or -1 @param wanted  HeadHeight
 /// @throw std::invalid_argument
 void SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
   const SphericalStyle::Triangles& F, int number, int axis, double wanted, vtkResizedParts& parts)
 {
+  if (parts.Count() == 1)
+  {
+    if (wanted > 0.0)
+    {
+      throw std::invalid_argument("HeadHeight: the model has only one part, so there is no rest to "
+                                  "compare a head with; make 2 or more with NumberOfParts of "
+                                  "Surface Parts, or set HeadHeight to 0");
+    }
+    return;
+  }
   const int known = number < 0 ? -1 : parts.Find(number);
   if (known == parts.Count())
   {
@@ -107,13 +126,26 @@ void SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
   }
   const SphericalStyle::Head head = SphericalStyle::FindHead(
     sized, P, SphericalStyle::OrientAlike(P, F), parts.OfPoints, parts.Count(), axis, known);
+  for (const int k : head.along)
+  {
+    parts.Sizes(k) = parts.Given[k] ? parts.Sizes(k) : parts.Sizes(head.part);
+  }
+  if (wanted == 0.0)
+  {
+    return;
+  }
   const double factor =
     SphericalStyle::FactorForHeightRatio(sized, parts.Sizes, parts.OfPoints, head, axis, wanted);
   if (factor == 0.0)
   {
-    throw std::invalid_argument("HeadHeight: part " + std::to_string(parts.Numbers[head.part]) +
-      " cannot be made " + Text(wanted) +
-      " times as high as the rest by a factor between 1/20 and 20; see Head and UpAxis");
+    const auto [least, most] =
+      SphericalStyle::HeightRatiosInReach(sized, parts.Sizes, parts.OfPoints, head, axis);
+    const std::string about = "HeadHeight: part " + std::to_string(parts.Numbers[head.part]);
+    throw std::invalid_argument(least > 0.0 && std::isfinite(most)
+        ? about + " can be made " + Digits(least, true) + " to " + Digits(most, false) +
+          " times as high as the rest, by factors from 1/20 to 20, not " + Text(wanted) +
+          "; choose another height, or see Head and UpAxis"
+        : about + " or the rest has no height along UpAxis; choose another axis, or see Head");
   }
   parts.Sizes(head.part) *= factor;
   for (const int k : head.along)
@@ -138,6 +170,20 @@ void vtkPartSizesFilter::SetPartSize(double part, double size)
     at->second = size;
     this->Modified();
   }
+  if (this->Repeated.erase(part) > 0)
+  {
+    this->Modified();
+  }
+}
+
+void vtkPartSizesFilter::AddPartSize(double part, double size)
+{
+  const bool isRepeated = this->Sizes.count(part) > 0;
+  this->SetPartSize(part, size);
+  if (isRepeated && this->Repeated.insert(part).second)
+  {
+    this->Modified();
+  }
 }
 
 double vtkPartSizesFilter::GetPartSize(double part)
@@ -151,6 +197,7 @@ void vtkPartSizesFilter::RemoveAllPartSizes()
   if (!this->Sizes.empty())
   {
     this->Sizes.clear();
+    this->Repeated.clear();
     this->Modified();
   }
 }
@@ -201,7 +248,7 @@ int vtkPartSizesFilter::Execute(
     {
       return 1; // nothing comes out, as everywhere in VTK
     }
-    if (this->HeadHeight > 0.0)
+    if (this->HeadHeight > 0.0 || !this->Sizes.empty())
     {
       SizeHead(sized, P, surface.Mesh.F, this->Head, this->UpAxis, this->HeadHeight, parts);
     }
@@ -268,8 +315,8 @@ vtkResizedParts vtkPartSizesFilter::TakeParts(vtkPolyData* input, const vtkSurfa
   if (!array)
   {
     throw std::invalid_argument(
-      "Part id: there is no point array \"PartId\"; make one with Surface Parts, or choose "
-      "another one (PartArray, input array to process 0)");
+      "Part id: there is no point array \"PartId\", which numbers the parts; make one with Surface "
+      "Parts, or choose another array as PartArray");
   }
   const vtkIdValues given(array, Purpose, input->GetNumberOfPoints(), "point");
   parts.OfPoints = vtkIdValues::Ranks(given.OfMesh(surface), parts.Numbers);
@@ -279,18 +326,26 @@ vtkResizedParts vtkPartSizesFilter::TakeParts(vtkPolyData* input, const vtkSurfa
       " different values; there can be " + std::to_string(MaximumNumberOfParts) + " parts");
   }
   parts.Sizes = Eigen::VectorXd::Ones(parts.Count());
+  parts.Given.resize(parts.Numbers.size());
   for (const auto& [part, size] : this->Sizes)
   {
     const int at = parts.Find(part);
     if (at < parts.Count())
     {
       parts.Sizes(at) = size;
+      parts.Given[at] = true;
     }
     else if (parts.Count() > 0)
     {
       Warn(this,
         "There is no part " + Text(part) + " to be resized; there are " + List(parts.Numbers));
     }
+  }
+  for (const double part : this->Repeated)
+  {
+    Warn(this,
+      "Part " + Text(part) +
+        " has several sizes; the last one counts: " + Text(this->Sizes.at(part)));
   }
   return parts;
 }

@@ -31,8 +31,8 @@
  * Output port 1: vtkTable, one row per part: Part (its number in the array), Size, and its extent
  * along UpAxis before and after, HeightBefore and Height (model length).
  *
- * A warning names sizes of parts that do not occur. The bracketed label is that of
- * Filters/Documentation/PartSizes.md.
+ * Warnings name sizes of parts that do not occur, and parts with several. The bracketed labels are
+ * those of Filters/Documentation/PartSizes.md.
  *
  * Cost: a pass over the triangles, a factor of some thousand functions of a grid, and a few passes
  * over the points: about .2 s for 100 000 points.
@@ -47,6 +47,7 @@
 #include "vtkStyleAlgorithm.h"
 
 #include <map> // for std::map
+#include <set> // for std::set
 
 class vtkPolyData;
 struct vtkResizedParts;
@@ -69,10 +70,15 @@ public:
   ///@{
   /**
    * How large a part becomes, as a multiple of what it is: 1.6 for a large head. No unit, above 0;
-   * another one is an error. All other parts have size 1. The part is its number in the array, a
+   * another one is an error. All other parts have size 1, except that what hangs on the head alone,
+   * such as ears and hair, has the size of the head [head]. The part is its number in the array, a
    * whole one; numbers that do not occur lead to a warning.
+   *
+   * AddPartSize is for rows of a table, of which no two should be of one part: the last one counts,
+   * and a warning names the part.
    */
   void SetPartSize(double part, double size);
+  void AddPartSize(double part, double size);
   double GetPartSize(double part);
   void RemoveAllPartSizes();
   ///@}
@@ -89,9 +95,10 @@ public:
   ///@{
   /**
    * Chibi by numbers: the height of the head over that of the rest, both along UpAxis in the
-   * output; .5 makes a figure three heads high. The sizes of the head and of what hangs on it, such
-   * as ears, are multiplied by what it takes. 0 (default): they are not. Not below 0; an error
-   * where nothing between 1/20 and 20 will do.
+   * output; .5 makes a figure three heads high. Both without what hangs on the head alone, such as
+   * ears. The sizes of all that are multiplied by what it takes. 0 (default): they are not. Not
+   * below 0; an error, with the heights in reach, where nothing between 1/20 and 20 will do, and
+   * where there is only one part.
    */
   vtkSetMacro(HeadHeight, double);
   vtkGetMacro(HeadHeight, double);
@@ -99,9 +106,9 @@ public:
 
   ///@{
   /**
-   * The part that is the head for HeadHeight. -1 (default): the one whose center is highest along
-   * UpAxis, of those that enclose a twentieth of what the largest one does, so that ears and hands
-   * are none.
+   * The part that is the head, for HeadHeight and for what goes along with it. -1 (default): the
+   * one whose center is highest along UpAxis, of those that enclose a twentieth of what the largest
+   * one does, so that ears and hands are none.
    */
   vtkSetMacro(Head, int);
   vtkGetMacro(Head, int);
@@ -110,7 +117,8 @@ public:
   ///@{
   /**
    * Move the result along UpAxis so that its lowest point lies on the level of the model's lowest
-   * point. Default off.
+   * point. Without it the part with the largest area stays in place, and where that is a head that
+   * grows, feet sink. Default off.
    */
   vtkSetMacro(KeepOnGround, bool);
   vtkGetMacro(KeepOnGround, bool);
@@ -145,6 +153,7 @@ private:
   vtkResizedParts TakeParts(vtkPolyData* input, const vtkSurfaceMesh& surface);
 
   std::map<double, double> Sizes; // that are set
+  std::set<double> Repeated;      // parts that were added more than once
   double BlendWidth = 0.05;
   double HeadHeight = 0.0;
   int Head = -1;

@@ -11,6 +11,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <sstream>
 
 using namespace FilterTesting;
@@ -19,6 +20,7 @@ namespace
 {
 constexpr int Body = 7; // the numbers in the array
 constexpr int HeadPart = 3;
+constexpr int Ear = 9;
 
 class Sizes : public Watched<vtkPartSizesFilter>
 {
@@ -60,6 +62,21 @@ Surface Snowman()
   Surface snowman = Together({ body, Ball(0.6, 1.4) });
   Number(snowman, body->GetNumberOfPoints());
   return snowman;
+}
+
+/// The same with a small ball on top of its head.
+Surface WithEar()
+{
+  const Surface snowman = Snowman();
+  Surface all = Together({ snowman, Ball(0.25, 2.1) });
+  vtkNew<vtkIntArray> ids;
+  ids->DeepCopy(snowman->GetPointData()->GetArray("PartId"));
+  while (ids->GetNumberOfValues() < all->GetNumberOfPoints())
+  {
+    ids->InsertNextValue(Ear);
+  }
+  all->GetPointData()->AddArray(ids);
+  return all;
 }
 
 /// Lowest and highest of some points along an axis.
@@ -158,6 +175,53 @@ void OnTheGround(Checker& check)
   }
 }
 
+/// What hangs on the head alone goes along, unless it has a size of its own.
+void GoingAlong(Checker& check)
+{
+  const Surface model = WithEar();
+  Sizes sizes(model);
+  sizes->SetBlendWidth(0.01);
+  const auto expect = [&](const char* about, double head, double body, double ear)
+  {
+    check.About(about);
+    check(sizes.Table()->GetNumberOfRows() == 3 && sizes.Entry(0, "Part") == HeadPart &&
+        sizes.Entry(1, "Part") == Body && sizes.Entry(2, "Part") == Ear,
+      "there should be three parts");
+    check.AtMost(std::abs(sizes.Entry(0, "Size") - head) + std::abs(sizes.Entry(1, "Size") - body) +
+        std::abs(sizes.Entry(2, "Size") - ear),
+      1e-12, "sizes");
+    check(sizes.Errors.empty() && sizes.Warnings.empty(), "there should be no message");
+  };
+  sizes->SetPartSize(HeadPart, 1.6);
+  expect("an ear goes along with the head", 1.6, 1.0, 1.6);
+  check.AtMost(std::abs(Height(sizes.Output(), Ear, 0) - 0.5 * 1.6), 0.02, "width of the ear");
+  sizes->SetPartSize(Ear, 1.0);
+  expect("an ear with a size", 1.6, 1.0, 1.0);
+  check.AtMost(std::abs(Height(sizes.Output(), Ear, 0) - 0.5), 0.05, "width of the ear");
+  sizes->RemoveAllPartSizes();
+  sizes->SetPartSize(Body, 0.5);
+  expect("a body takes nothing along", 1.0, 0.5, 1.0);
+  sizes->SetHead(Body);
+  expect("a head that is told, on which nothing hangs", 1.0, 0.5, 1.0);
+  sizes->SetHead(HeadPart);
+  sizes->RemoveAllPartSizes();
+  sizes->SetPartSize(Ear, 2.0);
+  expect("the size of an ear alone", 1.0, 1.0, 2.0);
+
+  check.About("HeadHeight with a size for the head");
+  sizes->RemoveAllPartSizes();
+  sizes->SetHeadHeight(0.5);
+  sizes.Output();
+  const double found = sizes.Entry(0, "Size");
+  check.AtMost(std::abs(sizes.Entry(2, "Size") - found), 0.0, "size of the ear beside the head");
+  check.AtMost(std::abs(sizes.Entry(0, "Height") / sizes.Entry(1, "Height") - 0.5), 1e-5,
+    "height of the head, without the ear");
+  sizes->SetPartSize(HeadPart, 1.6);
+  sizes.Output();
+  check.AtMost(std::abs(sizes.Entry(0, "Size") - found) + std::abs(sizes.Entry(2, "Size") - found),
+    1e-9, "head and ear, which are as with HeadHeight alone");
+}
+
 void HeadHeight(Checker& check)
 {
   check.About("head to body");
@@ -221,7 +285,32 @@ void Refused(Checker& check)
   const auto byNumber = [](double ratio)
   { return [ratio](vtkPartSizesFilter* f) { f->SetHeadHeight(ratio); }; };
   refuse("a ratio out of range", "HeadHeight must be 0 or more", byNumber(-0.5), byNumber(0.0));
-  refuse("a ratio out of reach", "cannot be made 1000", byNumber(1000.0), byNumber(0.5));
+  // The heights in reach are those of sizes of 1/20 and 20.
+  double reach[2];
+  for (const bool most : { false, true })
+  {
+    Sizes largest(snowman);
+    largest->SetPartSize(HeadPart, most ? 20.0 : 1.0 / 20.0);
+    reach[most] = largest.Entry(0, "Height") / largest.Entry(1, "Height");
+    Sizes far(snowman);
+    far->SetHeadHeight(most ? 1000.0 : 1e-4);
+    far.Output();
+    const std::string text = far.Errors.empty() ? "made 0 to 0 times" : far.Errors[0];
+    double told[2];
+    check(std::sscanf(text.substr(text.find("made ")).c_str(), "made %lg to %lg times", &told[0],
+            &told[1]) == 2,
+      "the heights in reach should be told" + Joined(far.Errors));
+    check.AtMost(std::abs(told[most] / reach[most] - 1.0), 0.01, "height that is told");
+    far.Errors.clear();
+    far->SetHeadHeight(told[most]);
+    check(far.Output()->GetNumberOfPoints() > 0 && far.Errors.empty(),
+      "it should be in reach" + Joined(far.Errors));
+    far->SetHeadHeight(reach[most] * (most ? 1.01 : 0.99));
+    far.Output();
+    check(far.Errors.size() == 1, "more should be out of reach");
+  }
+  refuse("a ratio out of reach", "by factors from 1/20 to 20, not 1000", byNumber(1000.0),
+    byNumber(0.5));
   refuse(
     "no such head", "Head: there is no part 5; there are 3, 7",
     [](vtkPartSizesFilter* f)
@@ -249,6 +338,34 @@ void Refused(Checker& check)
   snowman->GetPointData()->AddArray(each);
   refuse("a part per point", "there can be 256 parts", array("Each"), array("PartId"));
 
+  check.About("one part");
+  const Surface ball = Ball(1.0, 0.0);
+  Number(ball, ball->GetNumberOfPoints());
+  Sizes one(ball);
+  one->SetHeadHeight(0.5);
+  one.Output();
+  check(one.Errors.size() == 1 && Contains(one.Errors[0], "the model has only one part") &&
+      Contains(one.Errors[0], "NumberOfParts of Surface Parts"),
+    "one error should say the cause and the way out" + Joined(one.Errors));
+  one.Errors.clear();
+  one->SetHeadHeight(0.0);
+  one->SetPartSize(Body, 2.0);
+  check.AtMost(std::abs(Height(one.Output(), Body) - 4.0), 1e-5, "height at size 2");
+  check(one.Errors.empty(), "one part should have a size" + Joined(one.Errors));
+
+  check.About("heights of 0");
+  Sizes flat(Mapped(snowman, [](const Vector& x) { return Vector{ x[0], x[1], 0.0 }; }));
+  flat->SetHead(HeadPart);
+  flat->SetHeadHeight(0.5);
+  flat->SetUpAxisToZ();
+  flat.Output();
+  check(flat.Errors.size() == 1 && Contains(flat.Errors[0], "no height along UpAxis"),
+    "one error should say so" + Joined(flat.Errors));
+  flat.Errors.clear();
+  flat->SetUpAxisToY();
+  check(flat.Output()->GetNumberOfPoints() > 0 && flat.Errors.empty(),
+    "along y there are heights" + Joined(flat.Errors));
+
   check.About("no array");
   Sizes without(Ball(1.0, 0.0));
   without.Output();
@@ -261,6 +378,33 @@ void Refused(Checker& check)
   check(SamePoints(sizes.Output(), snowman) && sizes.Warnings.size() == 1 &&
       Contains(sizes.Warnings[0], "no part 5 to be resized; there are 3, 7"),
     "a warning should say so" + Joined(sizes.Warnings));
+}
+
+/// Rows of a table, of which two may be of one part.
+void Rows(Checker& check)
+{
+  check.About("two rows for a part");
+  const Surface snowman = Snowman();
+  Sizes sizes(snowman);
+  sizes->AddPartSize(HeadPart, 2.0);
+  sizes->AddPartSize(Body, 0.5);
+  check(sizes.Entry(0, "Size") == 2.0 && sizes.Warnings.empty(), "rows are sizes");
+  sizes->AddPartSize(HeadPart, 1.5);
+  for (int k = 0; k < 2; ++k)
+  {
+    sizes.Warnings.clear();
+    sizes->Modified();
+    check(sizes.Entry(0, "Size") == 1.5 && sizes.Entry(1, "Size") == 0.5 &&
+        sizes.Warnings.size() == 1 &&
+        Contains(sizes.Warnings[0], "Part 3 has several sizes; the last one counts: 1.5"),
+      "the last one should count, and a warning say so" + Joined(sizes.Warnings));
+  }
+  sizes.Warnings.clear();
+  sizes->RemoveAllPartSizes();
+  sizes->AddPartSize(HeadPart, 1.5);
+  sizes->SetPartSize(HeadPart, 1.2);
+  check(sizes.Entry(0, "Size") == 1.2 && sizes.Warnings.empty(),
+    "a size that is set anew is no second one" + Joined(sizes.Warnings));
 }
 
 void WithoutTriangles(Checker& check)
@@ -320,8 +464,10 @@ int TestPartSizesFilter(int, char*[])
   Checker check;
   OneSize(check);
   OnTheGround(check);
+  GoingAlong(check);
   HeadHeight(check);
   Refused(check);
+  Rows(check);
   WithoutTriangles(check);
   Properties(check);
   return check.Result();

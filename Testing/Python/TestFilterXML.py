@@ -107,8 +107,9 @@ def enumeration_of(name):
 
 
 def check_rows(name, element):
-    """A value for each of several numbers, such as a size for each part: SetName(number, value)."""
-    check(element.get("command") == "Set" + name, f"{name}: command {element.get('command')}")
+    """A value for each of several numbers, such as a size for each part: AddName(number, value)."""
+    check(element.get("command") == "Add" + name, f"{name}: command {element.get('command')}")
+    check(hasattr(Filter, "Add" + name), f"{name}: nothing adds a row")
     check(element.get("clean_command") == f"RemoveAll{name}s", f"{name}: clean_command")
     check(hasattr(Filter, f"RemoveAll{name}s"), f"{name}: nothing removes all")
     check(element.get("number_of_elements_per_command") == "2", f"{name}: values of a row")

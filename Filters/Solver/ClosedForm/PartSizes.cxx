@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <queue>
@@ -408,17 +409,26 @@ double HeightRatio(const Points& P, const std::vector<int>& parts, const Head& h
                              : std::numeric_limits<double>::infinity();
 }
 
-double FactorForHeightRatio(const PartSizes& sized, const Eigen::VectorXd& sizes,
-  const std::vector<int>& parts, const Head& head, int axis, double wanted)
+namespace
 {
-  // x' is linear in the factor.
+/// For a factor of the sizes of the head and of what goes along: x' is linear in it.
+std::function<double(double)> RatioOfFactor(const PartSizes& sized, const Eigen::VectorXd& sizes,
+  const std::vector<int>& parts, const Head& head, int axis)
+{
   Eigen::VectorXd without = sizes;
   without(head.part) = 0.0;
   without(head.along).setZero();
   const Points start = sized.Sized(without);
   const Points slope = sized.Sized(sizes) - start;
-  const auto ratio = [&](double factor)
+  return [&parts, &head, axis, start, slope](double factor)
   { return HeightRatio(start + factor * slope, parts, head, axis); };
+}
+}
+
+double FactorForHeightRatio(const PartSizes& sized, const Eigen::VectorXd& sizes,
+  const std::vector<int>& parts, const Head& head, int axis, double wanted)
+{
+  const auto ratio = RatioOfFactor(sized, sizes, parts, head, axis);
   double low = 1.0 / LargestFactor;
   double high = LargestFactor;
   if (!(ratio(low) < wanted && ratio(high) > wanted))
@@ -432,5 +442,12 @@ double FactorForHeightRatio(const PartSizes& sized, const Eigen::VectorXd& sizes
     (ratio(middle) < wanted ? low : high) = middle;
   }
   return std::sqrt(low * high);
+}
+
+std::pair<double, double> HeightRatiosInReach(const PartSizes& sized, const Eigen::VectorXd& sizes,
+  const std::vector<int>& parts, const Head& head, int axis)
+{
+  const auto ratio = RatioOfFactor(sized, sizes, parts, head, axis);
+  return { ratio(1.0 / LargestFactor), ratio(LargestFactor) };
 }
 } // namespace SphericalStyle

@@ -7,6 +7,7 @@
 
 #include "SurfaceGrid.h"
 
+#include <utility>
 #include <vector>
 
 namespace SphericalStyle
@@ -96,6 +97,10 @@ double HeightRatio(const Points& P, const std::vector<int>& parts, const Head& h
 /// @return 0 where nothing between 1/20 and 20 will do
 double FactorForHeightRatio(const PartSizes& sized, const Eigen::VectorXd& sizes,
   const std::vector<int>& parts, const Head& head, int axis, double wanted);
+
+/// The ratios for 1/20 and 20, between which that finds a factor.
+std::pair<double, double> HeightRatiosInReach(const PartSizes& sized, const Eigen::VectorXd& sizes,
+  const std::vector<int>& parts, const Head& head, int axis);
 } // namespace SphericalStyle
 
 #endif

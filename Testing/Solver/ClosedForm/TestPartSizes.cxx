@@ -222,6 +222,17 @@ void CheckHeads()
   CHECK(FactorForHeightRatio(sized, sizes, doll.parts, head, Up, 1e3) == 0.0 &&
       FactorForHeightRatio(sized, sizes, doll.parts, head, Up, 1e-3) == 0.0,
     "what cannot be reached should be told");
+  const auto [least, most] = HeightRatiosInReach(sized, sizes, doll.parts, head, Up);
+  CHECK_NEAR(least, HeightRatio(sized.Sized(Sizes(1, 1.3 / 20, 0.7, 2)), doll.parts, head, Up),
+    1e-9, "least ratio in reach");
+  CHECK_NEAR(most, HeightRatio(sized.Sized(Sizes(1, 1.3 * 20, 0.7, 2)), doll.parts, head, Up), 1e-9,
+    "largest ratio in reach");
+  for (const double ratio : { least, most })
+  {
+    CHECK(FactorForHeightRatio(sized, sizes, doll.parts, head, Up, 0.99 * ratio) == 0.0 ||
+        FactorForHeightRatio(sized, sizes, doll.parts, head, Up, 1.01 * ratio) == 0.0,
+      "what is beyond should be out of reach");
+  }
 }
 }
 
