@@ -353,6 +353,18 @@ for wrong, words in (({"parts": ids[1:]}, "values for"), ({"up_axis": "up"}, "")
         raise AssertionError(wrong)
     except (ValueError, ss.Error) as error:
         assert words in str(error), error
+for wrong, words in ((1.3, "not 1.3"), ([(1, 1.3)], "such as {0: 1.3}"), ({"head": 1.3}, "whole numbers"),
+                     ({1.5: 1.3}, "not 1.5"), ({True: 1.3}, "not True"), ({1: "large"}, "size of part 1")):
+    try:
+        ss.resize(creature, wrong)
+        raise AssertionError(wrong)
+    except TypeError as error:
+        assert words in str(error), error
+assert same(points(ss.resize(creature, {np.int32(1): np.float32(1.5)}, parts=ids)),
+            points(ss.resize(creature, {1: 1.5}, parts=ids)))
+# Ears, 7 and 8, go along with the head.
+assert same(points(ss.resize(creature, {0: 1.3}, parts=ids)),
+            points(ss.resize(creature, {0: 1.3, 7: 1.3, 8: 1.3}, parts=ids)))
 
 # ------------------------------------------------------------------------------------------------------------ examples
 for module in (rounding, meshes, properties, part_sizes, surface_parts):
