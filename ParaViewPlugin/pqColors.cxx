@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqColors.h"
 
+#include "vtkColorSeries.h"
 #include "vtkNew.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
@@ -11,6 +12,54 @@
 #include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMViewProxy.h"
+
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr double MostNames = 1000.0; // more are no names
+
+vtkPVArrayInformation* ShownArray(vtkSMPVRepresentationProxy* display)
+{
+  const vtkSMPropertyHelper input(display, "Input");
+  const vtkSMPropertyHelper array(display, "ColorArrayName");
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  vtkPVDataInformation* data = source ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
+  return data && display->GetUsingScalarColoring()
+    ? data->GetArrayInformation(
+        array.GetInputArrayNameToProcess(), array.GetInputArrayAssociation())
+    : nullptr;
+}
+
+/// Of the color map; nullptr where there is none.
+vtkSMProxy* MapOf(vtkSMPVRepresentationProxy* display)
+{
+  return display->GetUsingScalarColoring()
+    ? vtkSMPropertyHelper(display, "LookupTable").GetAsProxy()
+    : nullptr;
+}
+
+/// Red, green and blue, from 0 to 1, one after the other.
+std::vector<double> DistinctColors()
+{
+  std::vector<double> values;
+  vtkNew<vtkColorSeries> series;
+  for (const int scheme :
+    { vtkColorSeries::BREWER_QUALITATIVE_SET1, vtkColorSeries::BREWER_QUALITATIVE_SET3 })
+  {
+    series->SetColorScheme(scheme);
+    for (int k = 0; k < series->GetNumberOfColors(); ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        values.push_back(series->GetColor(k)[c] / 255.0);
+      }
+    }
+  }
+  return values;
+}
+}
 
 namespace pqColors
 {
@@ -37,16 +86,104 @@ void set(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const Choice
     view, vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
 }
 
+void nameNumbers(vtkSMPVRepresentationProxy* display, bool begin)
+{
+  vtkSMProxy* map = MapOf(display);
+  vtkPVArrayInformation* array = ShownArray(display);
+  if (!map || !array)
+  {
+    return;
+  }
+  const double* range = array->GetComponentRange(0);
+  const bool isNamed = vtkSMPropertyHelper(map, "IndexedLookup").GetAsInt() != 0;
+  if (!(isNamed || begin) || !(range[0] <= range[1] && range[1] - range[0] < MostNames))
+  {
+    return;
+  }
+  // Numbers and texts, one after the other.
+  const vtkSMPropertyHelper known(map, "Annotations");
+  std::vector<std::string> names;
+  for (unsigned int k = 0; isNamed && k < known.GetNumberOfElements(); ++k)
+  {
+    names.emplace_back(known.GetAsString(k));
+  }
+  const std::size_t count = names.size();
+  const auto last = static_cast<long long>(range[1]);
+  for (auto number = static_cast<long long>(range[0]); number <= last; ++number)
+  {
+    const std::string name = std::to_string(number);
+    std::size_t k = 0;
+    while (k < count && names[k] != name)
+    {
+      k += 2;
+    }
+    if (k >= count)
+    {
+      names.insert(names.end(), { name, name });
+    }
+  }
+  if (isNamed && names.size() == count)
+  {
+    return;
+  }
+  // ParaView keeps one color for each name and no more: the old ones, and others for the new.
+  const vtkSMPropertyHelper old(map, "IndexedColors");
+  std::vector<double> colors;
+  for (unsigned int k = 0; isNamed && k < old.GetNumberOfElements(); ++k)
+  {
+    colors.push_back(old.GetAsDouble(k));
+  }
+  const std::vector<double> distinct = DistinctColors();
+  for (std::size_t k = colors.size(); k < 3 * (names.size() / 2); ++k)
+  {
+    colors.push_back(distinct[k % distinct.size()]);
+  }
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", map);
+  vtkSMPropertyHelper(map, "IndexedLookup").Set(1);
+  vtkSMPropertyHelper(map, "IndexedColors")
+    .Set(colors.data(), static_cast<unsigned int>(colors.size()));
+  vtkSMPropertyHelper annotations(map, "Annotations");
+  annotations.SetNumberOfElements(static_cast<unsigned int>(names.size()));
+  for (unsigned int k = 0; k < names.size(); ++k)
+  {
+    annotations.Set(k, names[k].c_str());
+  }
+  map->UpdateVTKObjects();
+}
+
+int countNames(vtkSMPVRepresentationProxy* display)
+{
+  vtkSMProxy* map = MapOf(display);
+  return map && vtkSMPropertyHelper(map, "IndexedLookup").GetAsInt() != 0
+    ? static_cast<int>(vtkSMPropertyHelper(map, "Annotations").GetNumberOfElements() / 2)
+    : 0;
+}
+
+QColor ofName(vtkSMPVRepresentationProxy* display, double number)
+{
+  const int count = countNames(display);
+  if (count == 0)
+  {
+    return {};
+  }
+  const vtkSMPropertyHelper names(MapOf(display), "Annotations");
+  const vtkSMPropertyHelper colors(MapOf(display), "IndexedColors");
+  const unsigned int different = colors.GetNumberOfElements() / 3;
+  for (unsigned int k = 0; k < static_cast<unsigned int>(count) && different > 0; ++k)
+  {
+    if (QString(names.GetAsString(2 * k)).toDouble() == number)
+    {
+      const unsigned int at = 3 * (k % different);
+      return QColor::fromRgbF(
+        colors.GetAsDouble(at), colors.GetAsDouble(at + 1), colors.GetAsDouble(at + 2));
+    }
+  }
+  return {};
+}
+
 bool areShown(vtkSMPVRepresentationProxy* display)
 {
-  const vtkSMPropertyHelper input(display, "Input");
-  const vtkSMPropertyHelper array(display, "ColorArrayName");
-  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  vtkPVDataInformation* data = source ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
-  vtkPVArrayInformation* shown = data && display->GetUsingScalarColoring()
-    ? data->GetArrayInformation(
-        array.GetInputArrayNameToProcess(), array.GetInputArrayAssociation())
-    : nullptr;
+  vtkPVArrayInformation* shown = ShownArray(display);
   return shown && shown->GetDataType() == VTK_UNSIGNED_CHAR &&
     (shown->GetNumberOfComponents() == 3 || shown->GetNumberOfComponents() == 4);
 }

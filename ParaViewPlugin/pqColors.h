@@ -7,6 +7,7 @@
 #define pqColors_h
 
 #include <QByteArray>
+#include <QColor>
 
 class vtkSMPVRepresentationProxy;
 class vtkSMViewProxy;
@@ -22,6 +23,14 @@ struct Choice
 
 Choice get(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view);
 void set(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const Choice& choice);
+
+/// Whole numbers that name things, such as parts: each gets a color that differs from the others.
+/// @param begin  also where the color map is one for quantities; else only new numbers get colors
+void nameNumbers(vtkSMPVRepresentationProxy* display, bool begin);
+/// 0 where the color map is one for quantities.
+int countNames(vtkSMPVRepresentationProxy* display);
+/// Not valid where the number has none.
+QColor ofName(vtkSMPVRepresentationProxy* display, double number);
 
 /// Whether the array that is shown has colors: bytes, three or four to a point or cell.
 bool areShown(vtkSMPVRepresentationProxy* display);

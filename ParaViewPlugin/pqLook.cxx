@@ -10,6 +10,7 @@
 #include "pqShownValue.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
+#include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
@@ -47,6 +48,21 @@ bool IsVisible(vtkSMProxy* representation)
   return representation && vtkSMPropertyHelper(representation, "Visibility").GetAsInt() != 0;
 }
 
+bool HasPoints(vtkSMProxy* proxy)
+{
+  auto* source = vtkSMSourceProxy::SafeDownCast(proxy);
+  vtkPVDataInformation* data = source ? source->GetDataInformation(0) : nullptr;
+  return data && data->GetNumberOfPoints() > 0;
+}
+
+/// Whether the last execution had a result, in this process.
+bool HasOutput(vtkSMProxy* proxy)
+{
+  auto* filter = vtkAlgorithm::SafeDownCast(proxy->GetClientSideObject());
+  vtkDataObject* data = filter ? filter->GetOutputDataObject(0) : nullptr;
+  return data && data->GetNumberOfElements(vtkDataObject::POINT) > 0;
+}
+
 bool HasPointArray(vtkSMSourceProxy* source, const char* name)
 {
   vtkPVDataInformation* data = source->GetDataInformation(0);
@@ -78,10 +94,15 @@ pqLook::pqLook(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parent
     }
     else
     {
-      this->Plain.insert(hint->GetAttributeOrEmpty("array"));
+      const bool plain = QString(hint->GetName()) == "Plain";
+      (plain ? this->Plain : this->Names).insert(hint->GetAttributeOrEmpty("array"));
     }
   }
   layout->addStretch();
+  if (auto* filter = vtkAlgorithm::SafeDownCast(smproxy->GetClientSideObject()))
+  {
+    this->FilterObservers.add(filter, vtkCommand::EndEvent, this, &pqLook::noteExecution);
+  }
   if (this->Source)
   {
     // Not in the middle of the update that tells of it.
@@ -135,12 +156,25 @@ void pqLook::showFirst(pqProxy* applied)
   QObject::disconnect(this->FirstApply);
   this->FirstApply = {};
   vtkSMPVRepresentationProxy* display = this->result();
-  if (!display)
+  if (display && HasPoints(this->proxy()))
   {
-    return;
+    this->colorFirst(display);
   }
+  else
+  {
+    this->FirstFailed = display != nullptr;
+  }
+}
+
+void pqLook::colorFirst(vtkSMPVRepresentationProxy* display)
+{
   vtkSMViewProxy* smview = this->view()->getViewProxy();
-  if (this->Plain.contains(pqColors::get(display, smview).Array))
+  const QByteArray array = pqColors::get(display, smview).Array;
+  if (this->Names.contains(array))
+  {
+    pqColors::nameNumbers(display, true);
+  }
+  else if (this->Plain.contains(array))
   {
     pqColors::set(display, smview, {});
   }
@@ -148,6 +182,51 @@ void pqLook::showFirst(pqProxy* applied)
   {
     pqColors::setMapped(display, false);
     display->SetScalarBarVisibility(smview, false);
+  }
+}
+
+/// What ParaView does at the first Apply, where that had no result.
+void pqLook::colorAfterFailure()
+{
+  vtkSMPVRepresentationProxy* display = this->result();
+  if (!this->FirstFailed || !display || !HasPoints(this->proxy()))
+  {
+    return;
+  }
+  this->FirstFailed = false;
+  vtkSMViewProxy* smview = this->view()->getViewProxy();
+  auto* before = vtkSMPVRepresentationProxy::SafeDownCast(this->model());
+  if (before && !display->GetUsingScalarColoring())
+  {
+    SCOPED_UNDO_EXCLUDE();
+    pqColors::set(display, smview, pqColors::get(before, smview));
+    this->colorFirst(display);
+    this->view()->render();
+  }
+}
+
+/// Known of filters in this process; those of a server do not tell.
+void pqLook::noteExecution()
+{
+  if (!HasOutput(this->proxy()))
+  {
+    this->Failed = true;
+  }
+  else if (this->Failed) // not in the middle of the update
+  {
+    QMetaObject::invokeMethod(this, &pqLook::showAfterFailure, Qt::QueuedConnection);
+  }
+}
+
+/// After an update that failed, ParaView does not update the display again.
+void pqLook::showAfterFailure()
+{
+  vtkSMPVRepresentationProxy* display = this->result();
+  if (this->Failed && display && HasOutput(this->proxy()))
+  {
+    this->Failed = false;
+    display->UpdateProperty("Input", 1);
+    this->view()->render();
   }
 }
 
@@ -206,7 +285,10 @@ QString pqLook::seen() const
     if (display->GetUsingScalarColoring())
     {
       words << vtkSMPropertyHelper(display, "ColorArrayName").GetInputArrayNameToProcess() +
-          QString(pqColors::areMapped(display) ? "" : " itself");
+          QString(pqColors::areMapped(display) ? "" : " itself") +
+          (pqColors::countNames(display) > 0
+              ? QString(" of %1 names").arg(pqColors::countNames(display))
+              : QString());
     }
     if (display->IsScalarBarVisible(this->view()->getProxy()))
     {
@@ -274,7 +356,11 @@ void pqLook::colorBy(const Color& color, bool on)
     BEGIN_UNDO_SET(tr("Color by %1").arg(color.Button->text()));
     pqColors::set(display, smview,
       on ? pqColors::Choice{ color.Array, vtkDataObject::POINT, true } : this->OwnColors);
-    if (on)
+    if (on && this->Names.contains(color.Array))
+    {
+      pqColors::nameNumbers(display, true);
+    }
+    else if (on)
     {
       display->RescaleTransferFunctionToDataRange();
     }
@@ -287,6 +373,7 @@ void pqLook::colorBy(const Color& color, bool on)
 /// The display of the result may be another one, or have other colors.
 void pqLook::refresh()
 {
+  this->colorAfterFailure();
   this->Observers.clear();
   vtkSMPVRepresentationProxy* display = this->result();
   if (vtkSMProperty* colors = display ? display->GetProperty("ColorArrayName") : nullptr)
@@ -298,10 +385,15 @@ void pqLook::refresh()
   this->updateButtons();
 }
 
-/// Numbers that are no colors need a color map again.
+/// Numbers that are no colors need a color map again, and new names colors.
 void pqLook::fitColors()
 {
   vtkSMPVRepresentationProxy* display = this->result();
+  if (display && this->Names.contains(pqColors::get(display, this->view()->getViewProxy()).Array))
+  {
+    SCOPED_UNDO_EXCLUDE();
+    pqColors::nameNumbers(display, false);
+  }
   if (display && !pqColors::areMapped(display) && pqColors::areShown(display))
   {
     this->WithColors = display;

@@ -9,6 +9,7 @@
 ///       <Hints>
 ///         <Color text="Displacement" array="Displacement" property="GenerateDisplacement"/>
 ///         <Plain array="STLSolidLabeling"/>
+///         <Names array="PartId"/>
 ///       </Hints>
 ///     </PropertyGroup>
 ///
@@ -19,6 +20,9 @@
 /// When the first Apply displays the result, ParaView colors it by the array that colors the model.
 /// It then shows an array of colors as they are, where ParaView would map their magnitude, and the
 /// surface in one color where the array is Plain: one that a reader made, and no user asked for.
+/// The numbers of an array of Names get distinct colors. Where the first Apply fails, ParaView
+/// would never color the result: it gets the colors of the model as soon as it is there. Where a
+/// later one fails, ParaView would go on to show the result before it: it shows the next one.
 #ifndef pqLook_h
 #define pqLook_h
 
@@ -41,7 +45,8 @@ class vtkSMPropertyGroup;
 class pqLook : public pqPropertyWidget
 {
   Q_OBJECT
-  Q_PROPERTY(QString seen READ seen) ///< for tests: "model", "result, RGB itself, legend"
+  Q_PROPERTY(QString seen READ
+      seen) ///< for tests: "model", "result, RGB itself, legend", "result, PartId of 9 names"
 
 public:
   pqLook(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
@@ -65,6 +70,10 @@ private:
   void addColor(vtkPVXMLElement* xml);
   void showModel(bool show);
   void showFirst(pqProxy* applied);
+  void colorFirst(vtkSMPVRepresentationProxy* display);
+  void colorAfterFailure();
+  void noteExecution();
+  void showAfterFailure();
   void fitColors();
   void colorBy(const Color& color, bool on);
   void refresh();
@@ -76,6 +85,9 @@ private:
   std::vector<Color> Colors;
   pqColors::Choice OwnColors; // what the result had before a button colored it
   QSet<QByteArray> Plain;
+  QSet<QByteArray> Names;
+  bool FirstFailed = false;              // Apply
+  bool Failed = false;                   // an execution since the result was shown
   vtkWeakPointer<vtkSMProxy> WithColors; // a display of colors as they are
   QMetaObject::Connection FirstApply;
   QPointer<pqPipelineSource> Source;
@@ -83,6 +95,7 @@ private:
   vtkWeakPointer<vtkSMProxy> Hidden; // the result
   bool WasShown = false;             // the model too
   pqObservers Observers;             // of the result's display
+  pqObservers FilterObservers;
 };
 
 #endif
