@@ -95,7 +95,7 @@
  * chapter 4, Eq. 4.6 - 4.38, and Eq. 3.46 - 3.48; half-edge weights after
  * Chao, Pinkall, Sanan, Schroeder, A simple geometric model for elastic deformations, ACM TOG
  * 29(4), 2010, doi:10.1145/1778765.1778775. The bracketed labels are those of
- * Filters/Documentation/SphericalStyle.md.
+ * Filters/Documentation/SphericalStyleMethod.md.
  *
  * Cost: a pass over the triangles, sums over the samples of a grid, and a factor of one to some ten
  * thousand unknowns, whatever the number of points; it is kept between executions, so that a new

@@ -25,7 +25,7 @@
  *
  * Method Shape: cuts the surface again and again where the border is shortest for what it cuts off,
  * in concave places, and between thick and thin [parts]. The bracketed labels are those of
- * Filters/Documentation/SurfaceParts.md and SphericalStyle.md.
+ * Filters/Documentation/SurfaceParts.md and SphericalStyleMethod.md.
  *
  * Source: not in the thesis. The minima rule (D. Hoffman, W. Richards, Parts of recognition,
  * Cognition 18, 1984); ratio cuts of samples (N. Garcia Trillos, D. Slepcev, J. von Brecht, T.

@@ -3,7 +3,7 @@
 """Which weights when: bad meshes under either edge and spherical weighting, and through the proxy.
 
 The method of the thesis: without details and normals, in its own size. Uniform weights minimize the energy; what
-cotangent ones lead to is known in closed form. Prints the table of SphericalStyle.md, "Which weights when";
+cotangent ones lead to is known in closed form. Prints the table of SphericalStyleMethod.md, "Which weights when";
 --pictures shows what is in it.
 """
 import numpy as np
