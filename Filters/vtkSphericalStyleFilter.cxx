@@ -112,8 +112,7 @@ struct vtkSphericalStyleFilter::Internals
   {
     std::shared_ptr<const vtkSurfaceMesh> Surface; // none before the first
     int Symmetry = NO_SYMMETRY;
-    SphericalStyle::MirrorPlane Plane;
-    double Share = 0.0;
+    vtkSymmetryPlane::Found Found;
   };
   Planes Known;
 };
@@ -603,18 +602,18 @@ void vtkSphericalStyleFilter::TakePlane(Internals& internal, Execution& e)
   {
     this->SetProgressText("Looking for the plane of symmetry");
     known.Surface.reset(); // should it throw
-    vtkSymmetryPlane search(e.Surface().Mesh, e.Options.threads);
-    known.Plane =
-      this->Symmetry == FOUND_PLANE ? search.Find() : search.FindAcross(this->Symmetry - ACROSS_X);
-    known.Share = search.ShareNear(known.Plane);
+    const SphericalStyle::TriangleMesh& mesh = e.Surface().Mesh;
+    known.Found = this->Symmetry == FOUND_PLANE
+      ? vtkSymmetryPlane::Find(mesh, e.Options.threads)
+      : vtkSymmetryPlane::FindAcross(mesh, this->Symmetry - ACROSS_X, e.Options.threads);
     known.Symmetry = this->Symmetry;
     known.Surface = e.Model.Surface;
     this->SetProgressText("Rounding");
   }
-  e.Plane = known.Plane;
-  if (known.Share < vtkSymmetryPlane::LeastShare)
+  e.Plane = known.Found.plane;
+  if (known.Found.share < vtkSymmetryPlane::LeastShare)
   {
-    const std::string fact = "only " + std::to_string(std::lround(100.0 * known.Share)) +
+    const std::string fact = "only " + std::to_string(std::lround(100.0 * known.Found.share)) +
       " % of the surface comes within 2 % of the diagonal of its mirror image";
     if (this->Symmetry == FOUND_PLANE)
     {

@@ -296,8 +296,8 @@ public:
    * what is on one side only stays there. A custom center is moved onto the plane, with a warning.
    * An error where something is minimized, and with center ids, AvoidSelfIntersections,
    * ReproduceThesis or a rest pose. Takes twice the time and memory, and the search, once for each
-   * model, .3 to 1 s. The field data of output 1 have the plane (SymmetryPlane: a point and the
-   * normal).
+   * model, .1 to 3 s in one thread. The field data of output 1 have the plane (SymmetryPlane: a
+   * point and the normal).
    */
   vtkSetRangeMacro(Symmetry, int, NO_SYMMETRY, ACROSS_Z);
   vtkGetMacro(Symmetry, int);

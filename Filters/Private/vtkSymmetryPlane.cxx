@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSymmetryPlane.h"
 
+#include "Frame.h"
 #include "Parallel.h"
 #include "SurfaceMeasures.h"
 
@@ -41,7 +42,7 @@ vtkSmartPointer<vtkPoints> PointsOf(const SphericalStyle::Points& P)
   points->SetNumberOfPoints(P.rows());
   for (Eigen::Index i = 0; i < P.rows(); ++i)
   {
-    points->SetPoint(i, P(i, 0), P(i, 1), P(i, 2));
+    points->SetPoint(i, P.row(i).data());
   }
   return points;
 }
@@ -73,10 +74,9 @@ void TakeSamples(const SphericalStyle::TriangleMesh& mesh, SphericalStyle::Point
     normals.row(k) = b.cross(c).stableNormalized();
   }
 }
-}
 
 /// A mirrored sample.
-struct vtkSymmetryPlane::Image
+struct Image
 {
   Vector3d sample;
   double distance;    // of the image from the surface
@@ -84,7 +84,8 @@ struct vtkSymmetryPlane::Image
   double along;       // the distance along it
 };
 
-struct vtkSymmetryPlane::Search
+/// How many samples, how many rounds, where they end.
+struct Search
 {
   int samples;
   int rounds;
@@ -93,25 +94,59 @@ struct vtkSymmetryPlane::Search
   bool turns = true;       // whether the normal is looked for, too
 };
 
-vtkSymmetryPlane::vtkSymmetryPlane(const SphericalStyle::TriangleMesh& mesh, int threads)
+class Symmetry
+{
+public:
+  Symmetry(const SphericalStyle::TriangleMesh& mesh, int threads);
+
+  MirrorPlane Find() const;
+  MirrorPlane FindAcross(int axis) const;
+  vtkSymmetryPlane::Found InModel(const MirrorPlane& plane) const;
+
+private:
+  std::vector<Image> Mirror(const MirrorPlane& plane, const Search& search) const;
+  MirrorPlane Refined(MirrorPlane plane, const Search& search) const;
+  double Cost(const MirrorPlane& plane, const Search& search) const;
+  double ShareNear(const MirrorPlane& plane) const;
+
+  SphericalStyle::Frame Units;
+  SphericalStyle::Points Samples; // in the frame; the first ones are spread over the surface, too
+  SphericalStyle::Points Normals; // of the samples
+  int Threads;
+  vtkNew<vtkStaticPointLocator> Points; // of the samples
+  vtkNew<vtkStaticCellLocator> Cells;   // of the surface
+};
+
+Symmetry::Symmetry(const SphericalStyle::TriangleMesh& mesh, int threads)
   : Units(SphericalStyle::FrameOf(mesh.P))
-  , Mesh{ this->Units.Into(mesh.P), mesh.F }
   , Samples(AllSamples, 3)
   , Normals(AllSamples, 3)
   , Threads(threads)
-  , Points(vtkStaticPointLocator::New(), [](vtkStaticPointLocator* l) { l->Delete(); })
 {
-  TakeSamples(this->Mesh, this->Samples, this->Normals);
+  const SphericalStyle::TriangleMesh framed{ this->Units.Into(mesh.P), mesh.F };
+  TakeSamples(framed, this->Samples, this->Normals);
   vtkNew<vtkPolyData> cloud;
   cloud->SetPoints(PointsOf(this->Samples));
   this->Points->SetDataSet(cloud);
   this->Points->BuildLocator();
+  vtkNew<vtkCellArray> triangles;
+  const Eigen::VectorXd areas = SphericalStyle::TriangleAreas(framed.P, framed.F);
+  for (Eigen::Index f = 0; f < framed.F.rows(); ++f)
+  {
+    if (areas(f) > LeastArea)
+    {
+      triangles->InsertNextCell({ framed.F(f, 0), framed.F(f, 1), framed.F(f, 2) });
+    }
+  }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(PointsOf(framed.P));
+  surface->SetPolys(triangles);
+  surface->BuildCells();
+  this->Cells->SetDataSet(surface);
+  this->Cells->BuildLocator();
 }
 
-vtkSymmetryPlane::~vtkSymmetryPlane() = default;
-
-std::vector<vtkSymmetryPlane::Image> vtkSymmetryPlane::Mirror(
-  const MirrorPlane& plane, const Search& search) const
+std::vector<Image> Symmetry::Mirror(const MirrorPlane& plane, const Search& search) const
 {
   std::vector<Image> images(search.samples);
   SphericalStyle::ParallelFor(search.samples, this->Threads,
@@ -146,7 +181,7 @@ std::vector<vtkSymmetryPlane::Image> vtkSymmetryPlane::Mirror(
   return images;
 }
 
-double vtkSymmetryPlane::Cost(const MirrorPlane& plane, const Search& search) const
+double Symmetry::Cost(const MirrorPlane& plane, const Search& search) const
 {
   double sum = 0.0;
   for (const Image& image : this->Mirror(plane, search))
@@ -156,16 +191,15 @@ double vtkSymmetryPlane::Cost(const MirrorPlane& plane, const Search& search) co
   return sum / search.samples;
 }
 
-double vtkSymmetryPlane::ShareNear(const MirrorPlane& plane) const
+double Symmetry::ShareNear(const MirrorPlane& plane) const
 {
-  const MirrorPlane framed{ this->Units.Into(plane.origin.transpose()).transpose(), plane.normal };
-  const std::vector<Image> images = this->Mirror(framed, { AllSamples, 0, false });
+  const std::vector<Image> images = this->Mirror(plane, { AllSamples, 0, false });
   const auto near = std::count_if(
     images.begin(), images.end(), [&](const Image& image) { return image.distance < Near; });
   return static_cast<double>(near) / AllSamples;
 }
 
-MirrorPlane vtkSymmetryPlane::Refined(MirrorPlane plane, const Search& search) const
+MirrorPlane Symmetry::Refined(MirrorPlane plane, const Search& search) const
 {
   for (int round = 0; round < search.rounds; ++round)
   {
@@ -216,29 +250,8 @@ MirrorPlane vtkSymmetryPlane::Refined(MirrorPlane plane, const Search& search) c
   return plane;
 }
 
-void vtkSymmetryPlane::BuildCells()
+MirrorPlane Symmetry::Find() const
 {
-  this->Cells.reset(vtkStaticCellLocator::New(), [](vtkStaticCellLocator* l) { l->Delete(); });
-  vtkNew<vtkCellArray> triangles;
-  const Eigen::VectorXd areas = SphericalStyle::TriangleAreas(this->Mesh.P, this->Mesh.F);
-  for (Eigen::Index f = 0; f < this->Mesh.F.rows(); ++f)
-  {
-    if (areas(f) > LeastArea)
-    {
-      triangles->InsertNextCell({ this->Mesh.F(f, 0), this->Mesh.F(f, 1), this->Mesh.F(f, 2) });
-    }
-  }
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(PointsOf(this->Mesh.P));
-  surface->SetPolys(triangles);
-  surface->BuildCells();
-  this->Cells->SetDataSet(surface);
-  this->Cells->BuildLocator();
-}
-
-MirrorPlane vtkSymmetryPlane::Find()
-{
-  this->BuildCells();
   const Vector3d mean = this->Samples.colwise().mean().transpose();
   const SphericalStyle::Points from = this->Samples.rowwise() - mean.transpose();
   const Matrix3d axes =
@@ -280,18 +293,33 @@ MirrorPlane vtkSymmetryPlane::Find()
   {
     best.normal = Vector3d::Unit(axis);
   }
-  return this->OutOfFrame(best);
+  return best;
 }
 
-MirrorPlane vtkSymmetryPlane::OutOfFrame(const MirrorPlane& plane) const
+MirrorPlane Symmetry::FindAcross(int axis) const
 {
-  return { this->Units.OutOf(plane.origin.transpose()).transpose(), plane.normal };
-}
-
-MirrorPlane vtkSymmetryPlane::FindAcross(int axis)
-{
-  this->BuildCells();
   const MirrorPlane middle{ this->Samples.colwise().mean().transpose(), Vector3d::Unit(axis) };
   const MirrorPlane near = this->Refined(middle, { 4000, 20, false, 1e-6, false });
-  return this->OutOfFrame(this->Refined(near, { 1000, 12, true, 1e-14, false }));
+  return this->Refined(near, { 1000, 12, true, 1e-14, false });
+}
+
+vtkSymmetryPlane::Found Symmetry::InModel(const MirrorPlane& plane) const
+{
+  return { { this->Units.OutOf(plane.origin.transpose()).transpose(), plane.normal },
+    this->ShareNear(plane) };
+}
+}
+
+vtkSymmetryPlane::Found vtkSymmetryPlane::Find(
+  const SphericalStyle::TriangleMesh& mesh, int threads)
+{
+  const Symmetry symmetry(mesh, threads);
+  return symmetry.InModel(symmetry.Find());
+}
+
+vtkSymmetryPlane::Found vtkSymmetryPlane::FindAcross(
+  const SphericalStyle::TriangleMesh& mesh, int axis, int threads)
+{
+  const Symmetry symmetry(mesh, threads);
+  return symmetry.InModel(symmetry.FindAcross(axis));
 }
