@@ -23,6 +23,7 @@
 #include <QTableView>
 
 #include <algorithm>
+#include <set>
 
 namespace
 {
@@ -149,15 +150,15 @@ double pqPartRows::nextPart(const QVariantList& numbers) const
   vtkPVDataInformation* data = input ? input->GetDataInformation(port) : nullptr;
   vtkPVArrayInformation* array =
     data ? data->GetArrayInformation(this->array().data(), vtkDataObject::POINT) : nullptr;
-  double part = array ? std::max(array->GetComponentRange(0)[0], 0.0) : 0.0;
-  for (bool isNew = false; !isNew;)
+  std::set<double> taken;
+  for (int k = 0; k < numbers.size(); k += 2)
   {
-    isNew = true;
-    for (int k = 0; k < numbers.size() && isNew; k += 2)
-    {
-      isNew = numbers[k].toDouble() != part;
-    }
-    part += isNew ? 0.0 : 1.0;
+    taken.insert(numbers[k].toDouble());
+  }
+  double part = array ? std::max(array->GetComponentRange(0)[0], 0.0) : 0.0;
+  while (taken.count(part) > 0)
+  {
+    part += 1.0;
   }
   return part;
 }

@@ -237,11 +237,11 @@ double ClosedFormPreview::Place(
   const Eigen::RowVector3d mean = sums.segment<3>(1) / sums(0);
   Q.rowwise() += mean - sums.segment<3>(4) / sums(0);
 
-  const auto lowest = [&](const Points& X)
+  const auto highest = [&part](const Points& X, const Eigen::Vector3d& up)
   {
-    const Eigen::VectorXd heights = X * o.size.up;
-    const double none = std::numeric_limits<double>::infinity();
-    return -part.Max(-(heights.size() > 0 ? heights.minCoeff() : none));
+    const Eigen::VectorXd heights = X * up;
+    const double none = -std::numeric_limits<double>::infinity();
+    return part.Max(heights.size() > 0 ? heights.maxCoeff() : none);
   };
   const auto lengthOf = [&](const Points& X)
   {
@@ -264,10 +264,8 @@ double ClosedFormPreview::Place(
       }
       case KeepSize::Extent:
       {
-        const Eigen::VectorXd heights = X * o.size.up;
-        const double none = -std::numeric_limits<double>::infinity();
-        const double high = part.Max(heights.size() > 0 ? heights.maxCoeff() : none);
-        return high - lowest(X);
+        const double top = highest(X, o.size.up);
+        return top + highest(X, -o.size.up);
       }
       case KeepSize::Off:
         break;
@@ -282,7 +280,7 @@ double ClosedFormPreview::Place(
   Q = (factor * (Q.rowwise() - mean)).rowwise() + mean;
   if (o.size.keepOnGround)
   {
-    const double rise = lowest(this->P) - lowest(Q);
+    const double rise = highest(Q, -o.size.up) - highest(this->P, -o.size.up);
     Q.rowwise() += rise * o.size.up.transpose();
   }
   return factor;
