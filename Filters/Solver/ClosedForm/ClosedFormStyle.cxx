@@ -105,6 +105,20 @@ struct SphereKey
   }
 };
 
+struct ShapeKey
+{
+  int base; // version
+  int pose;
+  ShapeOptions shape;
+  bool equalVolume;
+
+  bool operator==(const ShapeKey& other) const
+  {
+    return this->base == other.base && this->pose == other.pose && this->shape == other.shape &&
+      this->equalVolume == other.equalVolume;
+  }
+};
+
 struct SharesKey
 {
   std::vector<int> ids;
@@ -148,13 +162,18 @@ struct LengthKey
   }
 };
 
-/// Where the rigid motion nearest to the one from P to X takes the origin.
+/// That of the rigid motion nearest to the one from P to X.
+Eigen::Matrix3d RotationToPose(const Points& P, const Points& X)
+{
+  return ClosestRotation(
+    (P.rowwise() - P.colwise().mean()).transpose() * (X.rowwise() - X.colwise().mean()));
+}
+
+/// Where that motion takes the origin.
 Eigen::RowVector3d OriginInPose(const Points& P, const Points& X)
 {
   const Eigen::RowVector3d from = P.colwise().mean();
-  const Eigen::RowVector3d to = X.colwise().mean();
-  const Eigen::Matrix3d S = (P.rowwise() - from).transpose() * (X.rowwise() - to);
-  return to - (ClosestRotation(S) * from.transpose()).transpose();
+  return X.colwise().mean() - (RotationToPose(P, X) * from.transpose()).transpose();
 }
 
 /// Area and volume of a surface that is there several times are those of all.
@@ -237,6 +256,7 @@ public:
   Stage<OfVersion, Points> OwnNormals;  // of the base
   Stage<OfVersion, Points> PosedAreas;  // N_k, none without a pose
   Stage<SphereKey, Sphere> WholeSphere; // of the whole base
+  Stage<ShapeKey, TargetShape> Shape;
   Stage<SharesKey, CenterJoints> Joints;
   Stage<PreviewKey, ClosedFormPreview> Preview;
   // Of the last solve.
@@ -266,6 +286,7 @@ public:
   void UpdateJoints(const ClosedFormOptions& o);
   std::vector<Sphere> Spheres(const ClosedFormOptions& o);
   Sphere SphereOfAll(const ClosedFormOptions& o);
+  void UpdateShape(const ClosedFormOptions& o);
   Points Directions(const ClosedFormOptions& o, const Sphere& sphere, std::vector<int>& onCenter);
   Points MakeTargets(const ClosedFormOptions& o, ClosedFormReport& report);
   Points JointMoves(const ClosedFormOptions& o, const std::vector<Points>& targets) const;
@@ -574,6 +595,21 @@ std::vector<Sphere> ClosedFormStyle::State::Spheres(const ClosedFormOptions& o)
   return spheres;
 }
 
+/// [target], in a pose that of the rest pose, turned.
+void ClosedFormStyle::State::UpdateShape(const ClosedFormOptions& o)
+{
+  this->Shape.Update(
+    { this->Base.GetVersion(), this->Pose, o.shape, o.radiusMode == RadiusMode::EqualVolume },
+    [&](TargetShape& shape)
+    {
+      shape = ShapeOf(this->GetRestBase(o), *this->F, o, this->Part);
+      if (this->IsPosed())
+      {
+        shape.Turn(RotationToPose(*this->P, *this->X));
+      }
+    });
+}
+
 /// t = (T - O) / r for one center [toy].
 Points ClosedFormStyle::State::Directions(
   const ClosedFormOptions& o, const Sphere& sphere, std::vector<int>& onCenter)
@@ -583,6 +619,7 @@ Points ClosedFormStyle::State::Directions(
     return o.targets;
   }
   Points t = CenterDirections(this->GetBase(), *this->F, sphere.center, onCenter, this->Part);
+  ReachShape(this->Shape.Get(), o.threads, t);
   if (!o.UsesNormals(this->Part))
   {
     return t;
@@ -635,6 +672,8 @@ Points ClosedFormStyle::State::JointMoves(
 Points ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFormReport& report)
 {
   report.spheres = this->Spheres(o);
+  this->UpdateShape(o);
+  report.shape = this->Shape.Get();
   if (o.UsesNormals(this->Part))
   {
     this->Normals(o);

@@ -43,6 +43,7 @@ struct ClosedFormOptions
 struct ClosedFormReport
 {
   std::vector<Sphere> spheres;     ///< of every center
+  TargetShape shape;               ///< in the place of the spheres
   std::vector<int> pointsOnCenter; ///< points without a direction of their own
   int functions = 0;               ///< of the grid; 0 without details
   double spacing = 0.0;            ///< of the grid
@@ -72,8 +73,10 @@ struct PreviewPlaces
 
 /// Nothing iterates, and nothing is factored that is as large as the mesh.
 ///
-///     T_i = O + (1 - a) r d_i + a rho_i n_i            B'_i = B_i + mu / (1 + mu) (T_i - B_i)
+///     T_i = O + (1 - a) r R_i d_i + a rho_i n_i        B'_i = B_i + mu / (1 + mu) (T_i - B_i)
 ///     P'_i = B'_i + c_i R_i (P_i - B_i)
+///
+/// R_i = R(d_i) is 1 for the sphere, else as far as the target shape reaches (TargetShape).
 ///
 /// The stages of its State, with their keys, are what a change redoes; all that is in no key redoes
 /// targets, rotations and the sum.

@@ -51,6 +51,13 @@ void CheckOptions(const StyleOptions& o, int n)
   Require(sized(o.normalBlends.size()), "one normal blend per point is needed");
   Require(sized(o.normals.rows()), "one normal per point is needed");
   Require(sized(o.targets.rows()), "one target direction per point is needed");
+  Require(o.targets.rows() == 0 || o.shape.kind == TargetKind::Sphere,
+    "with target directions the target must be the sphere");
+  Require(o.shape.edges >= 0.0 && o.shape.edges <= 1.0, "edges of the target must lie in 0..1");
+  Require(o.shape.lengths.allFinite() &&
+      (o.shape.lengths.isZero(0.0) || o.shape.lengths.minCoeff() > 0.0),
+    "lengths of the target must all be above zero, or all zero");
+  Require(o.shape.kind != TargetKind::Mesh || o.shape.mesh, "there is no target mesh");
   Require(o.roundnessFactors.size() == 0 ||
       (o.roundnessFactors.allFinite() && o.roundnessFactors.minCoeff() >= 0.0),
     "roundness factors must be finite and not negative");
@@ -181,8 +188,8 @@ public:
   void Forget() noexcept;
   void UpdateTriangles(const EnergyTriangleOptions& shape);
   void UpdateShares(const StyleOptions& options);
-  Points Directions(
-    const StyleOptions& options, const Eigen::Vector3d& center, std::vector<int>& onCenter) const;
+  Points Directions(const StyleOptions& options, const Eigen::Vector3d& center,
+    const TargetShape& shape, std::vector<int>& onCenter) const;
   HalfEdgeField Targets(const StyleOptions& options, StyleReport& report);
   void UpdateGlobal(const StyleOptions& options);
   bool IsClosedForm(const StyleOptions& options, const StyleReport& report) const;
@@ -297,8 +304,8 @@ void StyleSolver::State::UpdateShares(const StyleOptions& options)
 }
 
 /// t [symbols] for one center.
-Points StyleSolver::State::Directions(
-  const StyleOptions& options, const Eigen::Vector3d& center, std::vector<int>& onCenter) const
+Points StyleSolver::State::Directions(const StyleOptions& options, const Eigen::Vector3d& center,
+  const TargetShape& shape, std::vector<int>& onCenter) const
 {
   const int n = static_cast<int>(this->P.rows());
   if (options.targets.rows() > 0)
@@ -306,6 +313,7 @@ Points StyleSolver::State::Directions(
     return options.targets;
   }
   Points d = CenterDirections(this->P, this->Given->F, center, onCenter);
+  ReachShape(shape, options.threads, d);
   const Eigen::VectorXd a = options.normalBlends.size() > 0
     ? options.normalBlends
     : Eigen::VectorXd::Constant(n, options.normalBlend);
@@ -322,12 +330,13 @@ HalfEdgeField StyleSolver::State::Targets(const StyleOptions& options, StyleRepo
 {
   report.spheres = SpheresOfCenters(this->P, this->Given->F, options.Into(this->MeshFrame));
   report.sphere = report.spheres.front();
+  report.shape = ShapeOf(this->P, this->Given->F, options);
   const Triangles& F = this->EnergyMeshTriangles();
   const bool keep = options.concaveEdges == ConcaveEdges::Keep;
   HalfEdgeVectors tau(0, 9);
   if (report.spheres.size() == 1)
   {
-    this->T = this->Directions(options, report.sphere.center, report.pointsOnCenter);
+    this->T = this->Directions(options, report.sphere.center, report.shape, report.pointsOnCenter);
     if (keep)
     {
       return HalfEdgeField(this->T, report.sphere.radius);
@@ -343,7 +352,7 @@ HalfEdgeField StyleSolver::State::Targets(const StyleOptions& options, StyleRepo
       const Sphere& sphere = report.spheres[k];
       const Eigen::VectorXd omega = this->Shares->col(static_cast<Eigen::Index>(k));
       std::vector<int> onCenter;
-      const Points t = this->Directions(options, sphere.center, onCenter);
+      const Points t = this->Directions(options, sphere.center, report.shape, onCenter);
       AddEdgeTargets(t, sphere.radius, omega, F, tau);
       this->T += omega.asDiagonal() * t;
       report.pointsOnCenter.insert(report.pointsOnCenter.end(), onCenter.begin(), onCenter.end());

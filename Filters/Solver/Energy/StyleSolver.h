@@ -67,6 +67,7 @@ struct StyleReport
   LoopReport loop;
   Sphere sphere;                   ///< what was used, model units; of the first center
   std::vector<Sphere> spheres;     ///< of every center
+  TargetShape shape;               ///< in the place of the spheres [target]
   bool closedForm = false;         ///< the minimum was known: nothing was solved [blend]
   int components = 0;              ///< of the triangles as given
   std::vector<int> pointsOnCenter; ///< points without a direction of their own

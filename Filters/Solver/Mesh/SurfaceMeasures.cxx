@@ -141,6 +141,26 @@ Eigen::Vector3d AreaCentroid(const Points& P, const Triangles& F, const SurfaceP
   return sums.head<3>() / sums(3);
 }
 
+Eigen::Matrix3d AreaMoments(const Points& P, const Triangles& F, const SurfacePart& part)
+{
+  const Eigen::Vector3d O = AreaCentroid(P, F, part);
+  const Eigen::VectorXd areas = TriangleAreas(P, F);
+  Eigen::Matrix<double, 3, 4> sums = Eigen::Matrix<double, 3, 4>::Zero(); // with the area
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    Eigen::Matrix<double, 3, 4> corners; // and their sum
+    for (int k = 0; k < 3; ++k)
+    {
+      corners.col(k) = P.row(F(f, k)).transpose() - O;
+    }
+    corners.col(3) = corners.leftCols<3>().rowwise().sum();
+    sums.leftCols<3>() += areas(f) / 12.0 * corners * corners.transpose();
+    sums(0, 3) += areas(f);
+  }
+  part.Sum(sums);
+  return sums.leftCols<3>() / sums(0, 3);
+}
+
 Points TriangleNormals(const Points& P, const Triangles& F)
 {
   const Points unit = AtUnitSize(P);

@@ -40,6 +40,8 @@ double TripleProduct(const Points& P, const Triangles& F, Eigen::Index f, const 
 double SolidAngle(const Points& P, const Triangles& F, Eigen::Index f, const Eigen::Vector3d& O);
 /// Mean of the triangles' centroids, weighted by their areas.
 Eigen::Vector3d AreaCentroid(const Points& P, const Triangles& F, const SurfacePart& part = {});
+/// Second moments of the surface about that, by area, length^2.
+Eigen::Matrix3d AreaMoments(const Points& P, const Triangles& F, const SurfacePart& part = {});
 /// m x 3 unit normals of the triangles, at any size; 0 where there is no area.
 Points TriangleNormals(const Points& P, const Triangles& F);
 /// n x 3 unit normals, triangle normals weighted by the angle at the point (Thuermer, Wuethrich,

@@ -67,6 +67,7 @@ ClosedFormOptions MirroredMesh::Into(ClosedFormOptions o) const
     o.fixedPoints.push_back(o.fixedPoints[k] + n);
   }
   o.centerIds.clear();
+  o.shape.axes = this->Turn * o.shape.axes;
   o.size.up = this->Turn * o.size.up;
   o.size.copies = 2;
   return o;

@@ -25,6 +25,8 @@ public:
   const Points& GetPoints() const { return this->P; }
   const Triangles& GetTriangles() const { return this->F; }
   const MirrorPlane& GetPlane() const { return this->Plane; }
+  /// Takes directions into the turned frame.
+  const Eigen::Matrix3d& GetTurn() const { return this->Turn; }
   /// That of the mesh, its origin on the plane.
   const Frame& GetFrame() const { return this->MeshFrame; }
 

@@ -180,6 +180,11 @@ void SphericalStyleMethod::ReportClosedForm(
   std::copy_if(closed.pointsOnCenter.begin(), closed.pointsOnCenter.end(),
     std::back_inserter(report.pointsOnCenter), [&](int i) { return i < this->P.rows(); });
   report.spheres = closed.spheres;
+  report.shape = closed.shape;
+  if (this->Mirrored)
+  {
+    report.shape.Turn(this->Mirrored->GetTurn().transpose());
+  }
   for (Sphere& sphere : report.spheres)
   {
     if (this->Mirrored)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TargetDirections.h"
 
+#include "Parallel.h"
 #include "SurfaceMeasures.h"
 
 #include <algorithm>
@@ -237,6 +238,32 @@ Points CenterDirections(const Points& P, const Triangles& F, const Eigen::Vector
     d.row(i) = sums.row(i).head<3>() / (2.0 * std::max(sums(i, 3), 1.0));
   }
   return d;
+}
+
+TargetShape ShapeOf(
+  const Points& P, const Triangles& F, const TargetOptions& options, const SurfacePart& part)
+{
+  if (options.shape.kind == TargetKind::Sphere)
+  {
+    return {};
+  }
+  return { options.shape, AreaMoments(P, F, part), options.radiusMode == RadiusMode::EqualVolume };
+}
+
+void ReachShape(const TargetShape& shape, int threads, Points& d)
+{
+  if (shape.IsSphere())
+  {
+    return;
+  }
+  ParallelFor(static_cast<int>(d.rows()), threads,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        d.row(i) = shape.Reach(d.row(i));
+      }
+    });
 }
 
 Points BlendDirections(const Points& d, const Points& n, const Eigen::VectorXd& a)

@@ -7,6 +7,7 @@
 
 #include "Frame.h"
 #include "MeshTopology.h"
+#include "TargetShape.h"
 
 namespace SphericalStyle
 {
@@ -46,7 +47,8 @@ struct TargetOptions
   double normalBlend = 0.0; ///< a, 0..1
   CenterMode centerMode = CenterMode::PointMean;
   RadiusMode radiusMode = RadiusMode::EqualArea;
-  Sphere custom; ///< for the Custom modes
+  Sphere custom;      ///< for the Custom modes
+  ShapeOptions shape; ///< what is as large as the sphere, and the target in its place [target]
 
   Eigen::VectorXd roundnessFactors; ///< n, >= 0: lambda_i = lambda * factor
   Eigen::VectorXd normalBlends;     ///< n, 0..1: replaces a
@@ -111,6 +113,13 @@ std::vector<Sphere> SpheresOfCenters(
 /// @param onCenter  those points, ascending
 Points CenterDirections(const Points& P, const Triangles& F, const Eigen::Vector3d& O,
   std::vector<int>& onCenter, const SurfacePart& part = {});
+
+/// The shape whose size and center are those of the target sphere, for a surface in these units.
+TargetShape ShapeOf(
+  const Points& P, const Triangles& F, const TargetOptions& options, const SurfacePart& part = {});
+
+/// Makes directions d those to the shape, R(d) d [target].
+void ReachShape(const TargetShape& shape, int threads, Points& d);
 
 /// t_i = (1 - a_i) d_i + a_i n_i (Eq. 4.6), a of one entry per point.
 Points BlendDirections(const Points& d, const Points& n, const Eigen::VectorXd& a);
