@@ -16,6 +16,7 @@
 #include "vtkSurfaceMeshConversion.h"
 #include "vtkSurfaceRegion.h"
 #include "vtkSymmetryPlane.h"
+#include "vtkTargetMesh.h"
 #include "vtkTargetSphere.h"
 
 #include "vtkCellArray.h"
@@ -115,6 +116,7 @@ struct vtkSphericalStyleFilter::Internals
     vtkSymmetryPlane::Found Found;
   };
   Planes Known;
+  vtkTargetMesh TargetMesh;
 };
 
 /// What an execution solves, and how it ends.
@@ -144,7 +146,7 @@ struct vtkSphericalStyleFilter::Execution
 vtkSphericalStyleFilter::vtkSphericalStyleFilter()
   : Internal(std::make_shared<Internals>())
 {
-  this->SetNumberOfInputPorts(4);
+  this->SetNumberOfInputPorts(5);
   this->SetNumberOfOutputPorts(3);
   vtkStyleArrays::SetDefaults(this);
 }
@@ -181,6 +183,16 @@ void vtkSphericalStyleFilter::SetRestPoseData(vtkPolyData* rest)
   this->SetInputData(REST_POSE, rest);
 }
 
+void vtkSphericalStyleFilter::SetTargetMeshConnection(vtkAlgorithmOutput* mesh)
+{
+  this->SetInputConnection(TARGET, mesh);
+}
+
+void vtkSphericalStyleFilter::SetTargetMeshData(vtkPolyData* mesh)
+{
+  this->SetInputData(TARGET, mesh);
+}
+
 const char* vtkSphericalStyleFilter::GetAdvice()
 {
   // ParaView asks for it between a change and the execution: it must not show that of the last one.
@@ -211,7 +223,8 @@ const char* vtkSphericalStyleFilter::GetCenterPosition()
 int vtkSphericalStyleFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   // See IsSurface.
-  const char* types[] = { "vtkDataSet", "vtkPointSet", "vtkSelection", "vtkPolyData" };
+  const char* types[] = { "vtkDataSet", "vtkPointSet", "vtkSelection", "vtkPolyData",
+    "vtkPolyData" };
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), types[port]);
   if (port != MODEL)
   {
@@ -248,8 +261,9 @@ bool vtkSphericalStyleFilter::WorksOnParts(
   const bool needsWhole = !SphericalStyle::IsClosedForm(o) ||
     o.anchor == SphericalStyle::Anchor::LastPoint || this->ReproduceThesis ||
     this->AvoidSelfIntersections || !this->WeldCoincidentPoints || this->Symmetry != NO_SYMMETRY ||
-    this->RefineLongEdges == vtkLongEdges::ALWAYS || this->AsksFor(vtkStyleArrays::REGION_MASK) ||
-    this->AsksFor(vtkStyleArrays::CENTER_ID) || vtkSelection::GetData(inputVector[SELECTION], 0) ||
+    this->Target == TARGET_MESH || this->RefineLongEdges == vtkLongEdges::ALWAYS ||
+    this->AsksFor(vtkStyleArrays::REGION_MASK) || this->AsksFor(vtkStyleArrays::CENTER_ID) ||
+    vtkSelection::GetData(inputVector[SELECTION], 0) ||
     vtkPolyData::GetData(inputVector[REST_POSE], 0);
   // What differs between two processes counts as on the first one, which gathering leads to.
   return this->AllAgree(!needsWhole, processes);
@@ -262,6 +276,8 @@ bool vtkSphericalStyleFilter::AllAgree(bool can, const vtkProcesses& processes) 
            this->KeepOnGround ? 1.0 : 0.0, static_cast<double>(this->UpAxis),
            static_cast<double>(this->CenterMode), this->Center[0], this->Center[1], this->Center[2],
            static_cast<double>(this->RadiusMode), this->Radius, this->DetailSize,
+           static_cast<double>(this->Target), this->TargetEdges, this->TargetLengths[0],
+           this->TargetLengths[1], this->TargetLengths[2],
            static_cast<double>(this->RefineLongEdges), this->GenerateRotation ? 1.0 : 0.0,
            this->GenerateNormals ? 1.0 : 0.0, this->TransformAllInputVectors ? 1.0 : 0.0,
            static_cast<double>(this->PreviewSize) }) &&
@@ -374,7 +390,7 @@ bool vtkSphericalStyleFilter::CanPreview(
   }
   return SphericalStyle::IsClosedForm(o) && o.anchor == SphericalStyle::Anchor::Centroid &&
     !this->ReproduceThesis && !this->AvoidSelfIntersections && this->WeldCoincidentPoints &&
-    this->Symmetry == NO_SYMMETRY && !asksForArrays &&
+    this->Symmetry == NO_SYMMETRY && this->Target == SPHERE && !asksForArrays &&
     !vtkSelection::GetData(inputVector[SELECTION], 0) &&
     !vtkPolyData::GetData(inputVector[REST_POSE], 0) &&
     !(givenNormals && this->DetailSize == 0.0 && this->NormalBlend > 0.0);
@@ -431,7 +447,7 @@ void vtkSphericalStyleFilter::MakePreview(
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   vtkStyleHistory::Fill(history, report, "Spherical");
   vtkStyleHistory::AddBytes(history, bytes);
-  vtkTargetSphere::Fill(vtkPolyData::GetData(outputVector, 2), report.spheres);
+  vtkTargetSphere::Fill(vtkPolyData::GetData(outputVector, 2), report.spheres, report.shape);
 }
 
 //------------------------------------------------------------------------------------------------
@@ -479,7 +495,7 @@ int vtkSphericalStyleFilter::Execute(vtkInformationVector** inputVector,
   vtkStyleHistory::AddAdvice(history, this->GetAdvice());
   vtkStyleHistory::AddPlane(history, e.Plane);
   vtkStyleHistory::AddBytes(history, bytes);
-  vtkTargetSphere::Fill(vtkPolyData::GetData(outputVector, 2), e.Report.spheres);
+  vtkTargetSphere::Fill(vtkPolyData::GetData(outputVector, 2), e.Report.spheres, e.Report.shape);
   return 1;
 }
 
@@ -521,6 +537,20 @@ void vtkSphericalStyleFilter::CheckProperties() const
       throw std::invalid_argument(
         std::string("Symmetry and ") + what + " cannot be used together: switch one of them off");
     }
+  }
+  Require(this->TargetEdges >= 0.0 && this->TargetEdges <= 1.0, "TargetEdges", "in 0..1",
+    this->TargetEdges);
+  const Eigen::Vector3d lengths(this->TargetLengths);
+  if (!lengths.allFinite() || !(lengths.isZero(0.0) || lengths.minCoeff() > 0.0))
+  {
+    throw std::invalid_argument(
+      "TargetLengths must be finite and all above 0, or all 0 for those of the model; they are " +
+      Triple(this->TargetLengths));
+  }
+  if (this->Target != SPHERE && this->ReproduceThesis)
+  {
+    throw std::invalid_argument("The thesis knows no Target but the Sphere: switch ReproduceThesis "
+                                "off, or set Target to Sphere");
   }
   Require(this->MaximumEdgeLength >= 0.001 && this->MaximumEdgeLength <= 1.0, "MaximumEdgeLength",
     "in 0.001..1", this->MaximumEdgeLength);
@@ -583,9 +613,28 @@ void vtkSphericalStyleFilter::Take(vtkInformationVector** inputVector, Internals
   {
     e.Options = SphericalStyle::ThesisOptions(e.Options);
   }
+  this->TakeTarget(vtkPolyData::GetData(inputVector[TARGET], 0), internal, e);
   if (this->Symmetry != NO_SYMMETRY && e.HasTriangles())
   {
     this->TakePlane(internal, e);
+  }
+}
+
+/// [target]
+void vtkSphericalStyleFilter::TakeTarget(vtkPolyData* mesh, Internals& internal, Execution& e)
+{
+  if (this->Target != SPHERE && e.Options.HasTargets(e.Part()))
+  {
+    throw std::invalid_argument("An array of target directions and a Target other than the Sphere "
+                                "cannot be used together: take one of them away");
+  }
+  if (this->Target == TARGET_MESH)
+  {
+    e.Options.shape.mesh = internal.TargetMesh.Update(mesh);
+  }
+  else if (mesh)
+  {
+    Warn(this, "TargetMesh has no effect: set Target to Mesh");
   }
 }
 
@@ -643,6 +692,9 @@ SphericalStyle::MethodOptions vtkSphericalStyleFilter::MakeOptions() const
   o.centerMode = static_cast<SphericalStyle::CenterMode>(this->CenterMode);
   o.radiusMode = static_cast<SphericalStyle::RadiusMode>(this->RadiusMode);
   o.custom = { Eigen::Vector3d(this->Center), this->Radius };
+  o.shape.kind = static_cast<SphericalStyle::TargetKind>(this->Target);
+  o.shape.edges = this->TargetEdges;
+  o.shape.lengths = Eigen::Vector3d(this->TargetLengths);
   o.centerBlend = this->CenterBlendWidth;
   o.detailSize = this->DetailSize;
   o.normalRadius = static_cast<SphericalStyle::NormalRadius>(this->NormalRadius);
@@ -793,6 +845,9 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepSize: " << this->KeepSize << "\n";
   os << indent << "KeepOnGround: " << OnOff(this->KeepOnGround) << "\n";
   os << indent << "UpAxis: " << this->UpAxis << "\n";
+  os << indent << "Target: " << this->Target << "\n";
+  os << indent << "TargetEdges: " << this->TargetEdges << "\n";
+  os << indent << "TargetLengths: " << Triple(this->TargetLengths) << "\n";
   os << indent << "Symmetry: " << this->Symmetry << "\n";
   os << indent << "CenterMode: " << this->CenterMode << "\n";
   os << indent << "Center: " << Triple(this->Center) << "\n";

@@ -28,6 +28,9 @@
  * edges are those of the rest pose, so that nothing jitters and steps are faster [pose]. In closed
  * form only, and not with AvoidSelfIntersections.
  *
+ * Input port 4, optional: vtkPolyData, the mesh for Target Mesh: closed, and all of it seen from
+ * the centroid of its surface. It may be anywhere, and of any size.
+ *
  * Input arrays to process, all optional, all of point data:
  *  - 0: normals, 3 components, used where NormalBlend > 0 with DetailSize 0 (default: the active
  *       normals, or computed ones; with DetailSize > 0 the base has normals of its own);
@@ -142,6 +145,16 @@ public:
   vtkTypeMacro(vtkSphericalStyleFilter, vtkIterativeStyleAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum Targets
+  {
+    SPHERE = 0,
+    ELLIPSOID = 1,
+    CAPSULE = 2,
+    CYLINDER = 3,
+    ROUNDED_BOX = 4,
+    SUPERQUADRIC = 5,
+    TARGET_MESH = 6
+  };
   enum NormalRadii
   {
     OWN_THICKNESS = 0,
@@ -218,6 +231,11 @@ public:
   void SetRestPoseData(vtkPolyData* rest);
   /// @}
 
+  /// The mesh for Target Mesh. @{
+  void SetTargetMeshConnection(vtkAlgorithmOutput* mesh);
+  void SetTargetMeshData(vtkPolyData* mesh);
+  /// @}
+
   ///@{
   /**
    * How round the model becomes: 0 leaves it as it is, 0.3 softens it, 1 is clearly round, 5 is
@@ -285,6 +303,48 @@ public:
   void SetUpAxisToX() { this->SetUpAxis(X_AXIS); }
   void SetUpAxisToY() { this->SetUpAxis(Y_AXIS); }
   void SetUpAxisToZ() { this->SetUpAxis(Z_AXIS); }
+  ///@}
+
+  ///@{
+  /**
+   * What the model is drawn toward as a whole [target]: Sphere (default), Ellipsoid, Capsule,
+   * Cylinder, RoundedBox, Superquadric, or Mesh (input port 4). As large as the sphere, and about
+   * its center. NormalBlend says how much of it there is against limbs that are round by
+   * themselves; at 0 and a large Roundness the model becomes the shape. An error together with
+   * ReproduceThesis and with an array of target directions. There is no Preview with shapes other
+   * than the sphere.
+   */
+  vtkSetRangeMacro(Target, int, SPHERE, TARGET_MESH);
+  vtkGetMacro(Target, int);
+  void SetTargetToSphere() { this->SetTarget(SPHERE); }
+  void SetTargetToEllipsoid() { this->SetTarget(ELLIPSOID); }
+  void SetTargetToCapsule() { this->SetTarget(CAPSULE); }
+  void SetTargetToCylinder() { this->SetTarget(CYLINDER); }
+  void SetTargetToRoundedBox() { this->SetTarget(ROUNDED_BOX); }
+  void SetTargetToSuperquadric() { this->SetTarget(SUPERQUADRIC); }
+  void SetTargetToMesh() { this->SetTarget(TARGET_MESH); }
+  ///@}
+
+  ///@{
+  /**
+   * How round the edges of cylinders, boxes and superquadrics are: the radius of the edges as a
+   * share of the shortest half length, and both exponents of a superquadric (PhiRoundness and
+   * ThetaRoundness of vtkSuperquadric). No unit. Range 0 (sharp)..1, default .5.
+   */
+  vtkSetRangeMacro(TargetEdges, double, 0.0, 1.0);
+  vtkGetMacro(TargetEdges, double);
+  ///@}
+
+  ///@{
+  /**
+   * Lengths of the target along x, y and z, of which only the ratios count, no shorter than a tenth
+   * of the longest. 0 0 0 (default): the axes and proportions of the model, by the second moments
+   * of its surface; axes within 20 degrees of x, y or z are that, so that targets stand upright.
+   * All above 0 or all 0, else an error. A cylinder or capsule lies along the axis that differs
+   * most. Of no use for Sphere and Mesh.
+   */
+  vtkSetVector3Macro(TargetLengths, double);
+  vtkGetVector3Macro(TargetLengths, double);
   ///@}
 
   ///@{
@@ -599,6 +659,7 @@ private:
   // The steps of an execution.
   void CheckProperties() const;
   void TakePlane(Internals& internal, Execution& execution);
+  void TakeTarget(vtkPolyData* mesh, Internals& internal, Execution& execution);
   void Take(vtkInformationVector** inputVector, Internals& internal,
     const std::shared_ptr<const vtkProcesses>& processes, Execution& execution);
   SphericalStyle::MethodOptions MakeOptions() const;
@@ -624,6 +685,9 @@ private:
   int KeepSize = AREA;
   bool KeepOnGround = false;
   int UpAxis = Y_AXIS;
+  int Target = SPHERE;
+  double TargetEdges = 0.5;
+  double TargetLengths[3] = { 0.0, 0.0, 0.0 };
   int Symmetry = NO_SYMMETRY;
   int CenterMode = AREA_CENTROID;
   double Center[3] = { 0.0, 0.0, 0.0 };

@@ -33,7 +33,8 @@ enum InputPorts
   STYLE_MESH = 1, // vtkNormalAnalogyFilter
   SURFACE = 1,    // vtkMeshMorphingFilter
   SELECTION = 2,
-  REST_POSE = 3
+  REST_POSE = 3,
+  TARGET = 4
 };
 
 /// @throw std::invalid_argument "name must be ...; it is value"

@@ -21,10 +21,12 @@ constexpr int NumberOfSegments = 64;
 constexpr double LargestAmbiguity = 0.01; // a third of that in the radius
 
 /// Closed: the last point is the first.
-/// @param sphere  that the circle lies on @param a, b  orthogonal, of one length in units of the
+/// @param sphere  with the size of the shape that the circle lies on @param a, b  orthogonal, of
+/// one length in units of the
 ///                radius @param height  of the circle's center along z, in the same unit
 void AddCircle(vtkPoints* points, vtkCellArray* lines, const SphericalStyle::Sphere& sphere,
-  const Eigen::Vector3d& a, const Eigen::Vector3d& b, double height)
+  const SphericalStyle::TargetShape& shape, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+  double height)
 {
   const vtkIdType first = points->GetNumberOfPoints();
   lines->InsertNextCell(NumberOfSegments + 1);
@@ -33,14 +35,15 @@ void AddCircle(vtkPoints* points, vtkCellArray* lines, const SphericalStyle::Sph
     const double angle = 2.0 * EIGEN_PI * k / NumberOfSegments;
     const Eigen::Vector3d direction =
       std::cos(angle) * a + std::sin(angle) * b + height * Eigen::Vector3d::UnitZ();
-    const Eigen::Vector3d point = sphere.center + sphere.radius * direction;
+    const Eigen::Vector3d point = sphere.center + sphere.radius * shape.Reach(direction);
     lines->InsertCellPoint(points->InsertNextPoint(point.data()));
   }
   lines->InsertCellPoint(first);
 }
 }
 
-void vtkTargetSphere::Fill(vtkPolyData* output, const std::vector<SphericalStyle::Sphere>& spheres)
+void vtkTargetSphere::Fill(vtkPolyData* output, const std::vector<SphericalStyle::Sphere>& spheres,
+  const SphericalStyle::TargetShape& shape)
 {
   using Eigen::Vector3d;
   vtkNew<vtkPoints> points;
@@ -51,13 +54,13 @@ void vtkTargetSphere::Fill(vtkPolyData* output, const std::vector<SphericalStyle
     for (int k = 0; k < NumberOfMeridians; ++k)
     {
       const double angle = EIGEN_PI * k / NumberOfMeridians;
-      AddCircle(
-        points, lines, sphere, { std::cos(angle), std::sin(angle), 0.0 }, Vector3d::UnitZ(), 0.0);
+      AddCircle(points, lines, sphere, shape, { std::cos(angle), std::sin(angle), 0.0 },
+        Vector3d::UnitZ(), 0.0);
     }
     for (int k = 1; k <= NumberOfParallels; ++k)
     {
       const double angle = EIGEN_PI * k / (NumberOfParallels + 1);
-      AddCircle(points, lines, sphere, std::sin(angle) * Vector3d::UnitX(),
+      AddCircle(points, lines, sphere, shape, std::sin(angle) * Vector3d::UnitX(),
         std::sin(angle) * Vector3d::UnitY(), std::cos(angle));
     }
   }

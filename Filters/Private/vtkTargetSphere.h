@@ -16,9 +16,11 @@ struct vtkSurfaceMesh;
 
 namespace vtkTargetSphere
 {
-/// Fills `output` with circles of longitude and latitude around each center, axis z. Lines, so that
-/// the model is seen through them however they are shown.
-void Fill(vtkPolyData* output, const std::vector<SphericalStyle::Sphere>& spheres);
+/// Fills `output` with lines of longitude and latitude around each center, axis z, on the shape
+/// that has the size of the sphere. Lines, so that the model is seen through them however they are
+/// shown.
+void Fill(vtkPolyData* output, const std::vector<SphericalStyle::Sphere>& spheres,
+  const SphericalStyle::TargetShape& shape);
 
 /// Whether the surface winds around the point: the solid angles of its triangles sum to more than
 /// 2 pi, half the full angle, in size. Holes so count as closed where they are narrow. The

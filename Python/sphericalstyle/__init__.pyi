@@ -49,6 +49,9 @@ def round(
     spherical_weighting: Literal["Uniform", "Cotangent"] = ...,
     stop_rule: Literal["Converged", "Thesis", "FixedIterations"] = ...,
     symmetry: Literal["Off", "Automatic", "X", "Y", "Z"] = ...,
+    target: Literal["Sphere", "Ellipsoid", "Capsule", "Cylinder", "RoundedBox", "Superquadric", "Mesh"] = ...,
+    target_edges: float = ...,
+    target_lengths: Sequence[float] = ...,
     tolerance: float = ...,
     transform_all_input_vectors: bool = ...,
     up_axis: Literal["X", "Y", "Z"] = ...,
@@ -59,6 +62,7 @@ def round(
     center_id: Optional[_Array] = ...,
     centers: Optional[_Array] = ...,
     rest_pose: Any = ...,
+    target_mesh: Any = ...,
 ) -> _Mesh: ...
 def read(path: Union[str, os.PathLike[str]]) -> vtkPolyData: ...
 def write(path: Union[str, os.PathLike[str]], mesh: Any) -> None: ...

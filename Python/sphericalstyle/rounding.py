@@ -16,7 +16,7 @@ from .SphericalStyleFilters import vtkSphericalStyleFilter
 #: Keywords for values of each point, and the index of vtkSphericalStyleFilter's input array.
 ARRAYS = {"normals": 0, "roundness_factor": 1, "normal_blend": 2, "target_directions": 3, "region": 4, "center_id": 5}
 #: Keywords for what comes in at a further port.
-MESHES = ("centers", "rest_pose")
+MESHES = ("centers", "rest_pose", "target_mesh")
 
 
 def round(mesh, *, preset=None, **properties):  # noqa: A001, it is used as sphericalstyle.round
@@ -33,7 +33,8 @@ def round(mesh, *, preset=None, **properties):  # noqa: A001, it is used as sphe
     for each point, or the name of a point array of the mesh: region (0 or False: the point stays), roundness_factor,
     normal_blend, target_directions, normals and center_id. centers has a point for each number of center_id.
     center and radius set center_mode and radius_mode to "Custom", unless these are given too. rest_pose is a mesh with
-    the same points and faces in another pose, from which details, thickness and radius are taken.
+    the same points and faces in another pose, from which details, thickness and radius are taken. target_mesh is a
+    closed mesh that the model is drawn toward; it sets target to "Mesh", unless that is given too.
 
     Coarse flat panels are split first, so the result can have more points and faces than the mesh; its first points
     are those of the mesh. With refine_long_edges="Off" it always has the same.
@@ -120,6 +121,8 @@ def make(preset=None, **keywords):
     for keyword in ("center", "radius"):
         if keyword in keywords:
             known[keyword + "_mode"].set(style, "Custom")
+    if keywords.get("target_mesh") is not None:
+        known["target"].set(style, "Mesh")
     for keyword, value in keywords.items():
         if keyword in known and not is_array(keyword, value):
             known[keyword].set(style, value)
@@ -144,6 +147,8 @@ def add_arrays(style, surface, keywords):
         style.SetCentersData(centers)
     if keywords.get("rest_pose") is not None:
         style.SetRestPoseData(meshes.take(keywords["rest_pose"], "rest_pose")[0])
+    if keywords.get("target_mesh") is not None:
+        style.SetTargetMeshData(meshes.take(keywords["target_mesh"], "target_mesh")[0])
     added = []
     for keyword, value in arrays.items():
         name = value

@@ -80,6 +80,12 @@ inline std::vector<Subject> Subjects()
         SetUpDefaults(f);
         f->SetSymmetryToX();
       }),
+    SubjectOf<Main>("vtkSphericalStyleFilter with a box as the target",
+      [](Main* f)
+      {
+        SetUpDefaults(f);
+        f->SetTargetToRoundedBox();
+      }),
     SubjectOf<Main>("vtkSphericalStyleFilter with uniform weights",
       [](Main* f)
       {

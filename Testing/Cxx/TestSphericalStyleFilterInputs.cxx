@@ -782,6 +782,12 @@ void Executions(Checker& check)
   changed("UpAxis");
   filter->SetSymmetryToX();
   changed("Symmetry");
+  filter->SetTargetToRoundedBox();
+  changed("Target");
+  filter->SetTargetEdges(0.0);
+  changed("TargetEdges");
+  filter->SetTargetLengths(2.0, 1.0, 1.0);
+  changed("TargetLengths");
   filter->SetRefineLongEdgesToAutomatic();
   changed("RefineLongEdges");
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "None");
@@ -803,6 +809,8 @@ void Properties(Checker& check)
   OnOff(KeepOnGround, false);
   RoundTrip(UpAxis, 1, 2);
   RoundTrip(Symmetry, 0, 2);
+  RoundTrip(Target, 0, 2);
+  RoundTrip(TargetEdges, 0.5, 0.25);
   RoundTrip(CenterMode, 1, 2);
   RoundTrip(RadiusMode, 0, 2);
   RoundTrip(Radius, 1.0, 7.0);
@@ -843,6 +851,8 @@ void Properties(Checker& check)
   Clamped(KeepSize, -1, 0);
   Clamped(UpAxis, 3, 2);
   Clamped(Symmetry, 5, 4);
+  Clamped(Target, 7, 6);
+  Clamped(TargetEdges, 1.5, 1.0);
   filter->SetRefineLongEdges(true); // it was a bool once
   check(filter->GetRefineLongEdges() == 1, "true should be Automatic");
   Clamped(RefineLongEdges, 3, 2);
@@ -878,6 +888,13 @@ void Properties(Checker& check)
   Mode(Symmetry, X, ACROSS_X, 2);
   Mode(Symmetry, Y, ACROSS_Y, 3);
   Mode(Symmetry, Z, ACROSS_Z, 4);
+  Mode(Target, Sphere, SPHERE, 0);
+  Mode(Target, Ellipsoid, ELLIPSOID, 1);
+  Mode(Target, Capsule, CAPSULE, 2);
+  Mode(Target, Cylinder, CYLINDER, 3);
+  Mode(Target, RoundedBox, ROUNDED_BOX, 4);
+  Mode(Target, Superquadric, SUPERQUADRIC, 5);
+  Mode(Target, Mesh, TARGET_MESH, 6);
   Mode(RefineLongEdges, Off, NEVER, 0);
   Mode(RefineLongEdges, Automatic, WHERE_COARSE, 1);
   Mode(RefineLongEdges, On, ALWAYS, 2);
@@ -891,14 +908,15 @@ void Properties(Checker& check)
 
   std::ostringstream printed;
   filter->Print(printed);
-  for (const char* name : { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode",
-         "Radius", "DetailSize", "SphericalWeighting", "EdgeWeighting", "StopRule", "Tolerance",
-         "MaximumNumberOfIterations", "NormalRadius", "KeepSize", "KeepOnGround", "UpAxis",
-         "Symmetry", "RefineLongEdges", "MaximumEdgeLength", "ReproduceThesis",
-         "OutputPointsPrecision", "NumberOfThreads", "TransformAllInputVectors",
-         "GenerateDisplacement", "GenerateNormals", "GenerateRotation", "NumberOfIterations",
-         "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius", "AvoidSelfIntersections",
-         "TurnedOverBefore", "TurnedOverAfter", "NewIntersectionsBefore", "NewIntersectionsAfter" })
+  for (const char* name :
+    { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode", "Radius", "DetailSize",
+      "SphericalWeighting", "EdgeWeighting", "StopRule", "Tolerance", "MaximumNumberOfIterations",
+      "NormalRadius", "KeepSize", "KeepOnGround", "UpAxis", "Symmetry", "Target", "TargetEdges",
+      "TargetLengths", "RefineLongEdges", "MaximumEdgeLength", "ReproduceThesis",
+      "OutputPointsPrecision", "NumberOfThreads", "TransformAllInputVectors",
+      "GenerateDisplacement", "GenerateNormals", "GenerateRotation", "NumberOfIterations",
+      "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius", "AvoidSelfIntersections",
+      "TurnedOverBefore", "TurnedOverAfter", "NewIntersectionsBefore", "NewIntersectionsAfter" })
   {
     check(Contains(printed.str(), std::string(" ") + name + ": "),
       std::string("PrintSelf should print ") + name);

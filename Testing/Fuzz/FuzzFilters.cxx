@@ -167,6 +167,22 @@ Subject MakeSphericalStyle(Bytes& bytes)
   }
   const int symmetry = bytes.Below(16);
   f->SetSymmetry(symmetry <= vtkSphericalStyleFilter::ACROSS_Z ? symmetry : 0);
+  const int target = bytes.Below(32);
+  if (target > 0 && target <= vtkSphericalStyleFilter::TARGET_MESH)
+  {
+    f->SetTarget(target);
+    f->SetTargetEdges(bytes.Share());
+    if (bytes.Flag())
+    {
+      const double x = bytes.Any();
+      const double y = bytes.Any();
+      f->SetTargetLengths(x, y, bytes.Any());
+    }
+    if (target == vtkSphericalStyleFilter::TARGET_MESH)
+    {
+      f->SetTargetMeshData(SurfaceFromBytes(bytes));
+    }
+  }
   return { f,
     f->GetRefineLongEdges() == vtkSphericalStyleFilter::NEVER || f->GetReproduceThesis() };
 }

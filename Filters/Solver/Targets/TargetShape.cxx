@@ -185,12 +185,14 @@ StarMesh::StarMesh(const TriangleMesh& mesh)
   {
     angles += SolidAngle(this->P, this->F, f, O);
   }
-  if (std::abs(std::abs(angles) - 4.0 * Pi) > 1e-6)
+  // Of a closed surface a multiple of 4 pi, from outside 0, as from within the plane of a sheet.
+  const double turns = angles / (4.0 * Pi);
+  if (std::abs(turns - std::round(turns)) > 1e-6 || VolumeAmbiguity(this->P, this->F) > 1e-6)
   {
     throw std::invalid_argument("it is open, or its triangles do not all face the same way");
   }
   this->P.rowwise() -= O.transpose();
-  const double outward = std::copysign(1.0, angles);
+  const double outward = std::copysign(1.0, EnclosedVolume(this->P, this->F));
   for (Eigen::Index f = 0; f < this->F.rows(); ++f)
   {
     const double volume = outward * TripleProduct(this->P, this->F, f, Vector3d::Zero());
