@@ -128,8 +128,9 @@ def _safe_for_vtk(path, name, messages):
     """The path of a file that VTK's reader does not read beyond its arrays: this one or, for a while, a copy without the
     texture coordinates or normals of which faces name some that are not there."""
     try:
-        misfits = obj_files.misfits(path) if path.suffix.lower() == ".obj" else {}
-        if not misfits:
+        is_obj = path.suffix.lower() == ".obj"
+        misfits = obj_files.misfits(path) if is_obj else {}
+        if not misfits and not (is_obj and obj_files.counts_back(path)):
             yield path
             return
         texts = [f"the face in line {misfit.line} names {obj_files.KINDS[of]} {misfit.number}, and the file has"

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""OBJ files whose faces name points, texture coordinates or normals that the file does not have. VTK's reader reads
-behind its arrays there."""
+"""OBJ files whose faces name points, texture coordinates or normals that the file does not have, or count them back from
+their line. VTK's reader reads behind its arrays there, that of VTK 9.3 also where faces count back."""
 import collections
+import mmap
 import re
 
 import numpy as np
@@ -17,6 +18,7 @@ Misfit = collections.namedtuple("Misfit", "line number count")
 #: A corner as the reader takes it: with spaces before each number, and whatever is left until the next space.
 _CORNER = re.compile(rb"\s*([+-]?\d+)(?:/\s*([+-]?\d+)(?:/\s*([+-]?\d+))?|//\s*([+-]?\d+))?\S*")
 _FACES = b"f ", b"f\t", b"f\v", b"f\f"
+_BACKWARD = re.compile(rb"^[^\S\n]*f\s[^\n]*-", re.MULTILINE)
 _PIECE = 1 << 20  # bytes of a file that are looked at together
 _ONLY_NUMBERS = bytes.maketrans(b"f/", b"  ")
 
@@ -27,12 +29,25 @@ def misfits(path):
     return {} if _surely_fits(path) else _find_misfits(path)
 
 
+def counts_back(path):
+    """Whether a face names something by its distance from the line, such as -1 for the last point before it. True also
+    for faces that go on in the next line."""
+    with open(path, "rb") as file:
+        if file.seek(0, 2) == 0:
+            return False
+        with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
+            return _BACKWARD.search(text) is not None or text.find(b"\\") >= 0
+
+
 def copy_without(path, copy, left_out):
-    """Writes the file into another one, without the lines of these commands, which faces do not name then."""
+    """Writes the file into another one, without the lines of these commands, which faces do not name then, and with
+    numbers that count from the beginning."""
+    counts = collections.Counter()
     for _, command, rest in _commands(path):
+        counts[command] += 1
         if command == b"f":
-            rest = b" ".join(_written({of: number for of, number in _numbers(corner) if of not in left_out})
-                             for corner in _CORNER.finditer(rest))
+            rest = b" ".join(_written({of: _forward(number, counts[of]) for of, number in _numbers(corner)
+                                       if of not in left_out}) for corner in _CORNER.finditer(rest))
         if command not in left_out:
             copy.write(b"%s %s\n" % (command, rest.strip()))
 
@@ -40,6 +55,11 @@ def copy_without(path, copy, left_out):
 def _numbers(corner):
     """The command and the number of all that a corner names."""
     return [(of, given) for of, given in zip(COMMANDS, (corner[1], corner[2], corner[3] or corner[4])) if given]
+
+
+def _forward(number, count):
+    """A number counted from the beginning. count: how many there are before the line."""
+    return b"%d" % (count + 1 + int(number)) if number.startswith(b"-") else number
 
 
 def _written(numbers):

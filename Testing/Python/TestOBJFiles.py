@@ -99,6 +99,7 @@ for text, arrays in ((POINTS + COORDINATES + "f 1/1 2/2 3/1\n", ["TCoords"]),
                      (POINTS + NORMALS + "f 1//1 2//3 3//1\n", ["Normals"]), (POINTS + "f 1//7 2//7 3//7\n", []),
                      ("f 1/1 2/2 3/1\n" + POINTS + COORDINATES, ["TCoords"]),
                      (POINTS + COORDINATES + "f -3/-1 -2/-1 -1/-2\n", ["TCoords"]),
+                     (POINTS + COORDINATES + "f -3/-1 -2/-1 \\\n-1/-2\nv 9 9 9\nvt 1 1\n", ["TCoords"]),
                      (POINTS + "f 1 2 3\n  \nf 3 2 1\n", [])):
     surface, said = read(text)
     assert not said and arrays_of(surface) == arrays, (text, said, arrays_of(surface))
