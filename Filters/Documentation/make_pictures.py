@@ -177,6 +177,9 @@ a_car = model_files.read(ROOT / "Data" / "car.vtp")
 picture("how-to-car.png", (1000, 300), [[
     (a_car, "model"), (rounded(a_car), "defaults"), (preset(a_car, "Soft"), "Soft"),
     (proxied(a_car, Blend=0.5), "Convex Proxy Deform")]], 40.0, 13, ground=True)
+picture("how-to-target.png", (1200, 300), [[(creature, "model")] + [
+    (sphericalstyle.round(creature, target=target, roundness=2, normal_blend=0.2), target)
+    for target in ("Sphere", "Ellipsoid", "Capsule", "Cylinder", "RoundedBox")]], 25.0, 13, ground=True)
 
 
 def points_of(surface):
