@@ -253,7 +253,7 @@ void FillHole(SurfaceMesh& surface, HalfEdge border)
   }
 }
 
-int FillHoles(SurfaceMesh& surface)
+int FillBorders(SurfaceMesh& surface)
 {
   std::vector<HalfEdge> borders;
   extract_boundary_cycles(surface, std::back_inserter(borders));
@@ -318,7 +318,7 @@ ClosedSurfaceResult CloseSurface(const Points& P, const Triangles& F)
   PMP::keep_largest_connected_components(surface, 1);
   if (orientable) // one that is not was cut open: there is no border to fill
   {
-    result.holesClosed = FillHoles(surface);
+    result.holesClosed = FillBorders(surface);
   }
   for (const auto v : surface.vertices())
   {
@@ -335,5 +335,13 @@ ClosedSurfaceResult CloseSurface(const Points& P, const Triangles& F)
   result.closed = IsClosedManifold(result.mesh.F, static_cast<int>(result.mesh.P.rows())) &&
     EulerCharacteristic(result.mesh) == 2 && !HasDegenerateTriangle(result.mesh);
   return result;
+}
+
+int FillHoles(TriangleMesh& mesh)
+{
+  SurfaceMesh surface = ToSurfaceMesh(mesh);
+  const int holes = FillBorders(surface);
+  mesh = ToTriangleMesh(surface);
+  return holes;
 }
 } // namespace SphericalStyle

@@ -26,6 +26,11 @@ struct ClosedSurfaceResult
 /// cut open and not closed.
 /// @param P, F  any triangles
 ClosedSurfaceResult CloseSurface(const Points& P, const Triangles& F);
+
+/// Fills the holes of a surface; in large ones with new points. Points and triangles keep their
+/// numbers, new ones follow.
+/// @param mesh  a manifold, all triangles facing alike @return how many holes there were
+int FillHoles(TriangleMesh& mesh);
 } // namespace SphericalStyle
 
 #endif

@@ -78,6 +78,17 @@ def resize(
     blend_width: float = ...,
     keep_on_ground: bool = ...,
 ) -> _Mesh: ...
+def printable(
+    mesh: _Mesh,
+    *,
+    foot_area: float = ...,
+    stability_angle: float = ...,
+    volume: float = ...,
+    height: float = ...,
+    close_holes: bool = ...,
+    place_on_plate: bool = ...,
+    up_axis: Literal["X", "Y", "Z"] = ...,
+) -> _Mesh: ...
 
 class _Slider(NamedTuple):
     targets: int

@@ -18,6 +18,7 @@
 #include "vtkThesisStyleFilter.h"
 #ifdef SPHERICALSTYLE_WITH_CGAL
 #include "vtkConvexProxyDeformFilter.h"
+#include "vtkPrintableFilter.h"
 #endif
 
 #include "vtkLogger.h"
@@ -338,6 +339,19 @@ Subject MakeMeshMorphing(Bytes& bytes)
 }
 
 #ifdef SPHERICALSTYLE_WITH_CGAL
+Subject MakePrintable(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkPrintableFilter>::New();
+  f->SetFootArea(bytes.Any());
+  f->SetStabilityAngle(bytes.Any());
+  f->SetVolume(bytes.Below(4) == 1 ? bytes.Any() : 0.0);
+  f->SetHeight(bytes.Below(4) == 1 ? bytes.Any() : 0.0);
+  f->SetCloseHoles(bytes.Below(4) != 1);
+  f->SetPlaceOnPlate(bytes.Flag());
+  f->SetUpAxis(bytes.Below(3));
+  return { f, false };
+}
+
 Subject MakeConvexProxy(Bytes& bytes)
 {
   const auto f = vtkSmartPointer<vtkConvexProxyDeformFilter>::New();
@@ -390,7 +404,7 @@ Subject MakeConvexProxy(Bytes& bytes)
 
 Subject SubjectFromBytes(Bytes& bytes)
 {
-  switch (bytes.Below(16))
+  switch (bytes.Below(17))
   {
     case 0:
       return MakeTermFilter(bytes);
@@ -418,6 +432,8 @@ Subject SubjectFromBytes(Bytes& bytes)
     case 8:
     case 9:
       return MakeConvexProxy(bytes);
+    case 16:
+      return MakePrintable(bytes);
 #endif
     default:
       return MakeSphericalStyle(bytes);

@@ -28,7 +28,8 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 import FilterTable
 import SurfaceTesting
 import sphericalstyle as ss
-from sphericalstyle import meshes, model_files, part_sizes, presets, properties, rounding, surface_parts
+from sphericalstyle import (meshes, model_files, part_sizes, presets, printing, properties, rounding,
+                            surface_parts)
 from SurfaceTesting import faces, points
 
 data = os.path.abspath(sys.argv[1])
@@ -366,8 +367,20 @@ assert same(points(ss.resize(creature, {np.int32(1): np.float32(1.5)}, parts=ids
 assert same(points(ss.resize(creature, {0: 1.3}, parts=ids)),
             points(ss.resize(creature, {0: 1.3, 7: 1.3, 8: 1.3}, parts=ids)))
 
+# ----------------------------------------------------------------------------------------------------------- printable
+if hasattr(ss, "vtkPrintableFilter"):
+    printed = ss.printable((before, F), height=80, up_axis="y")
+    assert isinstance(printed, tuple) and abs(np.ptp(printed[0][:, 2]) - 80) < 1e-4 and printed[0][:, 2].min() == 0
+    assert (printed[0][:, 2] == 0).sum() > 10, "it has a foot"
+    try:
+        ss.printable((before, F[1:]))
+        raise AssertionError("an open mesh is refused")
+    except ss.Error as error:
+        assert "CloseHoles" in str(error), error
+
 # ------------------------------------------------------------------------------------------------------------ examples
-for module in (rounding, meshes, properties, part_sizes, surface_parts):
+for module in (rounding, meshes, properties, part_sizes, surface_parts,
+               *([printing] if hasattr(ss, "vtkPrintableFilter") else [])):
     with contextlib.redirect_stdout(io.StringIO()) as said:  # pvpython's own stream has no encoding
         outcome = doctest.testmod(module)
     assert outcome.failed == 0, said.getvalue()

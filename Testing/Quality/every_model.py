@@ -25,7 +25,7 @@ DEFAULTS = {"NormalBlend": 0.6, "Roundness": 1.0, "DetailSize": 0.06, "RefineLon
 FILTERS = {MAIN: GRID + [{**DEFAULTS, **style} for style in surfaces.STYLES.values()],
            "vtkConvexProxyDeformFilter": [{}, {"Blend": 0.0, "Roundness": 50.0}]}
 FILTERS |= {entry["class"]: [{}] for entry in surfaces.FILTERS
-            if entry["class"] not in FILTERS and entry["kind"] != "study"}
+            if entry["class"] not in FILTERS and entry["kind"] not in ("study", "print")}
 DEFORMERS = [entry["class"] for entry in surfaces.FILTERS if entry["kind"] != "measure"]
 # Warnings that the pages of the filters explain, each by words of its own.
 KNOWN = {"thinned": "thickness", "degenerate": "degenerate", "fans": "as fans", "hull": "convex hull",

@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPrintableFilter.h"
+
+#include "ClosedSurface.h"
+#include "Orientation.h"
+#include "Printable.h"
+#include "vtkFilterSupport.h"
+#include "vtkSurfaceMeshConversion.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using SphericalStyle::DerivedSurface;
+using SphericalStyle::Points;
+using SphericalStyle::PrintableMeasures;
+using SphericalStyle::PrintableResult;
+using SphericalStyle::TriangleMesh;
+using namespace vtkFilterSupport;
+
+vtkStandardNewMacro(vtkPrintableFilter);
+
+namespace
+{
+/// A surface without holes, and where it comes from.
+struct ClosedInput
+{
+  TriangleMesh Mesh;
+  std::vector<vtkIdType> InputPoints; // of each point
+  std::vector<vtkIdType> InputCells;  // of each triangle; -1 in filled holes
+  int HolesClosed = 0;
+};
+
+/// For each point the nearest of the first n.
+void TakeNearest(const Points& P, Eigen::Index n, std::vector<vtkIdType>& inputPoints)
+{
+  for (Eigen::Index i = n; i < P.rows(); ++i)
+  {
+    Eigen::Index nearest = 0;
+    (P.topRows(n).rowwise() - P.row(i)).rowwise().squaredNorm().minCoeff(&nearest);
+    inputPoints.push_back(inputPoints[nearest]);
+  }
+}
+
+/// @throw std::invalid_argument naming the first point where the surface cannot be closed
+ClosedInput Close(const vtkSurfaceMesh& surface, bool closeHoles)
+{
+  ClosedInput closed;
+  closed.InputPoints = surface.FirstInputPoints();
+  closed.Mesh.P = surface.Mesh.P;
+  closed.Mesh.F = SphericalStyle::OrientOutward(surface.Mesh.P, surface.Mesh.F);
+  for (Eigen::Index f = 0; f < closed.Mesh.F.rows(); ++f)
+  {
+    closed.InputCells.push_back(surface.GetCell(f));
+  }
+  SphericalStyle::OpenEdges open = SphericalStyle::FindOpenEdges(closed.Mesh.F);
+  const auto at = [&](int point) { return std::to_string(closed.InputPoints[point]); };
+  if (open.nonManifold > 0)
+  {
+    throw std::invalid_argument(
+      "The surface has edges of three or more faces, the first at point " +
+      at(open.firstNonManifold) +
+      ", so it has no inside to print. Surface Diagnostics shows them; take the faces inside away "
+      "in a modeling program");
+  }
+  if (open.borders == 0)
+  {
+    return closed;
+  }
+  if (!closeHoles)
+  {
+    throw std::invalid_argument("The surface is open: it has " +
+      Count(open.borders, "border edge") + ", the first at point " + at(open.firstBorder) +
+      ". CloseHoles fills the holes; Surface Diagnostics shows them");
+  }
+  DerivedSurface manifold = SphericalStyle::Underived(closed.Mesh);
+  SphericalStyle::SplitFans(manifold);
+  for (std::size_t i = closed.InputPoints.size(); i < manifold.ends.size(); ++i)
+  {
+    closed.InputPoints.push_back(closed.InputPoints[manifold.ends[i][0]]);
+  }
+  closed.Mesh = manifold.mesh;
+  const Eigen::Index before = closed.Mesh.P.rows();
+  closed.HolesClosed = SphericalStyle::FillHoles(closed.Mesh);
+  TakeNearest(closed.Mesh.P, before, closed.InputPoints);
+  closed.InputCells.resize(closed.Mesh.F.rows(), -1);
+  open = SphericalStyle::FindOpenEdges(closed.Mesh.F);
+  if (open.borders + open.nonManifold > 0)
+  {
+    throw std::invalid_argument("CloseHoles: a hole cannot be filled, at point " +
+      at(std::max(open.firstBorder, open.firstNonManifold)) + "; close it in a modeling program");
+  }
+  closed.Mesh.F = SphericalStyle::OrientOutward(closed.Mesh.P, closed.Mesh.F);
+  return closed;
+}
+
+/// z up, on the plate.
+Points OnPlate(const Points& P, int axis)
+{
+  Points placed(P.rows(), 3);
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto x = P.col((axis + 1 + k) % 3);
+    placed.col(k) = x.array() - (k == 2 ? x.minCoeff() : 0.5 * (x.minCoeff() + x.maxCoeff()));
+  }
+  return placed;
+}
+
+void FillOutput(vtkPolyData* output, vtkPolyData* input, const ClosedInput& closed,
+  const DerivedSurface& made, int type)
+{
+  vtkPointData* data = output->GetPointData();
+  const auto n = static_cast<vtkIdType>(made.mesh.P.rows());
+  vtkNew<vtkPoints> points;
+  points->SetDataType(type);
+  points->SetNumberOfPoints(n);
+  data->CopyNormalsOff();
+  data->InterpolateAllocate(input->GetPointData(), n);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    points->SetPoint(i, made.mesh.P.row(i).data());
+    const vtkIdType first = closed.InputPoints[made.ends[i][0]];
+    const vtkIdType second = closed.InputPoints[made.ends[i][1]];
+    if (made.shares[i] == 0.0)
+    {
+      data->CopyData(input->GetPointData(), first, i);
+    }
+    else
+    {
+      data->InterpolateEdge(input->GetPointData(), i, first, second, made.shares[i]);
+    }
+  }
+  const auto m = static_cast<vtkIdType>(made.mesh.F.rows());
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(m, 3 * m);
+  vtkNew<vtkUnsignedCharArray> foot;
+  foot->SetName("Foot");
+  foot->SetNumberOfValues(m);
+  vtkCellData* cells = output->GetCellData();
+  cells->CopyNormalsOff();
+  cells->CopyAllocate(input->GetCellData(), m);
+  for (vtkIdType f = 0; f < m; ++f)
+  {
+    const vtkIdType corners[3] = { made.mesh.F(f, 0), made.mesh.F(f, 1), made.mesh.F(f, 2) };
+    triangles->InsertNextCell(3, corners);
+    const vtkIdType cell = made.triangles[f] < 0 ? -1 : closed.InputCells[made.triangles[f]];
+    foot->SetValue(f, cell < 0 ? 1 : 0);
+    if (cell < 0)
+    {
+      cells->NullData(f);
+    }
+    else
+    {
+      cells->CopyData(input->GetCellData(), cell, f);
+    }
+  }
+  output->SetPoints(points);
+  output->SetPolys(triangles);
+  cells->AddArray(foot);
+  output->GetFieldData()->ShallowCopy(input->GetFieldData());
+}
+
+void MakeTable(vtkTable* table, const PrintableResult& result, int holes, const ClosedInput& closed)
+{
+  table->Initialize(); // an observer of progress may have asked for an update, which filled it
+  vtkNew<vtkStringArray> names, units;
+  vtkNew<vtkDoubleArray> before, after;
+  const auto add = [&](const char* name, double old, double made, const char* unit)
+  {
+    names->InsertNextValue(name);
+    before->InsertNextValue(old);
+    after->InsertNextValue(made);
+    units->InsertNextValue(unit);
+  };
+  const PrintableMeasures& old = result.before;
+  const PrintableMeasures& made = result.after;
+  add("FootLevel", old.footLevel, made.footLevel, "length");
+  add("FootArea", old.footArea, made.footArea, "length^2");
+  add("Height", old.height, made.height, "length");
+  add("Volume", old.volume, made.volume, "length^3");
+  const char* centers[3] = { "CenterOfMassX", "CenterOfMassY", "CenterOfMassZ" };
+  for (int k = 0; k < 3; ++k)
+  {
+    add(centers[k], old.centerOfMass(k), made.centerOfMass(k), "length");
+  }
+  add("TiltAngle", old.tiltAngle, made.tiltAngle, "degrees");
+  add("CutDepth", 0.0, result.cutDepth, "length");
+  add("Lean", 0.0, result.lean, "degrees");
+  add("Factor", 1.0, result.factor, "");
+  add("HolesClosed", 0.0, holes, "");
+  add("Points", static_cast<double>(closed.Mesh.P.rows()),
+    static_cast<double>(result.surface.mesh.P.rows()), "");
+  add("Triangles", static_cast<double>(closed.Mesh.F.rows()),
+    static_cast<double>(result.surface.mesh.F.rows()), "");
+  add("SelfIntersectingTriangles", old.selfIntersecting, made.selfIntersecting, "");
+  AddColumn(table, names, "Name");
+  AddColumn(table, before, "Before");
+  AddColumn(table, after, "After");
+  AddColumn(table, units, "Unit");
+}
+}
+
+//------------------------------------------------------------------------------------------------
+vtkPrintableFilter::vtkPrintableFilter()
+{
+  NoteBlocks(this);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkPrintableFilter::~vtkPrintableFilter() = default;
+
+int vtkPrintableFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  TakeDataSet(info);
+  return 1;
+}
+
+int vtkPrintableFilter::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+int vtkPrintableFilter::RequestWholeData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return RunGuarded(this, outputVector, [&] { return this->Execute(inputVector, outputVector); });
+}
+
+int vtkPrintableFilter::Execute(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  if (!IsSurface(this, inputVector[0]))
+  {
+    return 0;
+  }
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  for (const auto& [name, value] :
+    { std::make_pair("Volume", this->Volume), std::make_pair("Height", this->Height) })
+  {
+    Require(value >= 0.0 && std::isfinite(value), name, "0 or more", value);
+  }
+  if (this->Volume > 0.0 && this->Height > 0.0)
+  {
+    throw std::invalid_argument(
+      "Volume and Height: the model cannot be scaled to both; set one of them to 0");
+  }
+  const vtkSurfaceMesh surface = vtkSurfaceMeshConversion::FromPolyData(input, true);
+  Warn(this, vtkSurfaceMeshConversion::FannedRemark(surface));
+  Warn(this, vtkSurfaceMeshConversion::SkippedRemark(surface));
+  if (surface.Mesh.F.rows() == 0)
+  {
+    throw std::invalid_argument("There is no triangle with an area, so there is nothing to print");
+  }
+  this->SetProgressText("Making the model printable");
+  this->UpdateProgress(0.1);
+  const ClosedInput closed = Close(surface, this->CloseHoles);
+  if (Aborted(this))
+  {
+    return 1; // nothing comes out, as everywhere in VTK
+  }
+  SphericalStyle::PrintableOptions options;
+  options.axis = this->UpAxis;
+  options.footArea = this->FootArea;
+  options.stabilityAngle = this->StabilityAngle;
+  options.volume = this->Volume;
+  options.height = this->Height;
+  PrintableResult result = SphericalStyle::MakePrintable(closed.Mesh, options);
+  this->UpdateProgress(0.9);
+  if (this->PlaceOnPlate)
+  {
+    result.surface.mesh.P = OnPlate(result.surface.mesh.P, this->UpAxis);
+  }
+  FillOutput(output, input, closed, result.surface,
+    vtkSurfaceMeshConversion::OutputPointType(input, this->OutputPointsPrecision));
+  MakeTable(vtkTable::GetData(outputVector, 1), result, closed.HolesClosed, closed);
+  return 1;
+}
+
+void vtkPrintableFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FootArea: " << this->FootArea << "\n";
+  os << indent << "StabilityAngle: " << this->StabilityAngle << "\n";
+  os << indent << "Volume: " << this->Volume << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  os << indent << "CloseHoles: " << OnOff(this->CloseHoles) << "\n";
+  os << indent << "PlaceOnPlate: " << OnOff(this->PlaceOnPlate) << "\n";
+  os << indent << "UpAxis: " << this->UpAxis << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+}

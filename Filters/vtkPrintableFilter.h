@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPrintableFilter
+ * @brief   make a model ready for a 3D printer: it has a flat foot, stands and has its size
+ *
+ * The closed surface is cut flat so low that its foot has the wanted area [foot], leans until its
+ * center of mass is above the foot by a margin [stands], and is scaled to its volume or height
+ * [volume]. Cut, lean and size are exact, and none of them makes a self-intersection.
+ *
+ * Input port 0: vtkPolyData. Triangles, quads, polygons and strips take part; lines, vertices and
+ * points of no face do not come out. Coincident points are one. The surface has to be closed,
+ * unless CloseHoles is on, and without edges of three or more faces; errors name the first point
+ * where it is not. A surface that is spread over processes is gathered (vtkWholeSurfaceAlgorithm).
+ *
+ * Output port 0: vtkPolyData, a closed surface of triangles that face outward. Arrays of points are
+ * interpolated where edges are cut, and at points in filled holes those of the nearest point;
+ * arrays of cells are those of the cell that was cut, and 0 on the foot and in filled holes.
+ * Normals do not come out. The cell array Foot is 1 on new triangles and 0 elsewhere.
+ *
+ * Output port 1: vtkTable, what was changed: Name, Before, After and Unit. The rows are FootLevel
+ * (the lowest level along UpAxis), FootArea (of what lies on it), Height, Volume, CenterOfMassX, Y
+ * and Z, TiltAngle (by which the model can be tilted before it falls over), CutDepth, Lean, Factor
+ * (of the size), HolesClosed, Points, Triangles and SelfIntersectingTriangles.
+ *
+ * The bracketed labels are those of Filters/Documentation/Printable.md. Needs CGAL.
+ *
+ * Cost: some passes over the triangles, and twice the search for self-intersections: about a second
+ * for 100 000 triangles.
+ *
+ * @sa vtkSphericalStyleFilter vtkSurfaceMetrics vtkSurfaceDiagnostics
+ */
+#ifndef vtkPrintableFilter_h
+#define vtkPrintableFilter_h
+
+#include "SphericalStyleFiltersModule.h" // for export macro
+#include "vtkSetRangeMacro.h"            // for its macro
+#include "vtkWholeSurfaceAlgorithm.h"
+
+class SPHERICALSTYLEFILTERS_EXPORT vtkPrintableFilter : public vtkWholeSurfaceAlgorithm
+{
+public:
+  static vtkPrintableFilter* New();
+  vtkTypeMacro(vtkPrintableFilter, vtkWholeSurfaceAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum UpAxes
+  {
+    X_AXIS = 0,
+    Y_AXIS = 1,
+    Z_AXIS = 2
+  };
+
+  ///@{
+  /**
+   * The least area of the flat foot, as a fraction of the rectangle that the bounds of the model
+   * cover on the ground. The model is cut as low as that takes, and not at all where it has such a
+   * foot; higher where it could not stand otherwise. 0: no cut. Range 0..1, default .05. An error,
+   * with the area in reach, where a cut of a fifth of the height is not enough.
+   */
+  vtkSetRangeMacro(FootArea, double, 0.0, 1.0);
+  vtkGetMacro(FootArea, double);
+  ///@}
+
+  ///@{
+  /**
+   * By how much the model can be tilted, in any direction, before it falls over, in degrees. It
+   * leans as much as that takes: the foot stays, and all else moves aside in proportion to its
+   * height, up to a lean of 10 degrees; where that is not enough, the foot is made larger. 0: it
+   * does not lean. Range 0..45, default 10. An error where a cut of a fifth of the height is not
+   * enough.
+   */
+  vtkSetRangeMacro(StabilityAngle, double, 0.0, 45.0);
+  vtkGetMacro(StabilityAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * The volume that the result encloses, in the unit of the model cubed: the model is scaled to it.
+   * 0 (default): the volume of the model, also where a piece is cut off. Not below 0; an error if
+   * Height is set as well.
+   */
+  vtkSetMacro(Volume, double);
+  vtkGetMacro(Volume, double);
+  ///@}
+
+  ///@{
+  /**
+   * The height of the result along UpAxis, in the unit of the model: the model is scaled to it.
+   * 0 (default): as Volume says. Not below 0.
+   */
+  vtkSetMacro(Height, double);
+  vtkGetMacro(Height, double);
+  ///@}
+
+  ///@{
+  /**
+   * Fill the holes of an open surface. Default off: an open surface is an error that says where.
+   */
+  vtkSetMacro(CloseHoles, bool);
+  vtkGetMacro(CloseHoles, bool);
+  vtkBooleanMacro(CloseHoles, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Turn the result so that z points up, as programs for printers have it, with the foot on z = 0
+   * and the middle of the bounds at x = y = 0. Default off: it stays where it is.
+   */
+  vtkSetMacro(PlaceOnPlate, bool);
+  vtkGetMacro(PlaceOnPlate, bool);
+  vtkBooleanMacro(PlaceOnPlate, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The axis of the model that points up: X, Y (default) or Z.
+   */
+  vtkSetRangeMacro(UpAxis, int, X_AXIS, Z_AXIS);
+  vtkGetMacro(UpAxis, int);
+  void SetUpAxisToX() { this->SetUpAxis(X_AXIS); }
+  void SetUpAxisToY() { this->SetUpAxis(Y_AXIS); }
+  void SetUpAxisToZ() { this->SetUpAxis(Z_AXIS); }
+  ///@}
+
+  ///@{
+  /**
+   * Number type of the output points: vtkAlgorithm::DEFAULT_PRECISION (default: as the input),
+   * SINGLE_PRECISION or DOUBLE_PRECISION. Computed in double always.
+   */
+  vtkSetRangeMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+protected:
+  vtkPrintableFilter();
+  ~vtkPrintableFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkPrintableFilter(const vtkPrintableFilter&) = delete;
+  void operator=(const vtkPrintableFilter&) = delete;
+
+  /// RequestData, which turns what this throws into a message.
+  int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
+  double FootArea = 0.05;
+  double StabilityAngle = 10.0;
+  double Volume = 0.0;
+  double Height = 0.0;
+  bool CloseHoles = false;
+  bool PlaceOnPlate = false;
+  int UpAxis = Y_AXIS;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+};
+
+#endif

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// What vtkPrintableFilter makes of arrays, what its table says, where it puts the result, and what
+/// it refuses. TestPrintable looks at the shape.
+#include "ArrayTesting.h"
+#include "PropertyTesting.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkPrintableFilter.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace FilterTesting;
+
+namespace
+{
+class Printed : public Watched<vtkPrintableFilter>
+{
+public:
+  explicit Printed(vtkPolyData* input) { this->Get()->SetInputData(input); }
+
+  /// Of the table, by the name of its row.
+  double Entry(const char* name, const char* column = "After")
+  {
+    this->Get()->Update();
+    auto* table = vtkTable::SafeDownCast(this->Get()->GetOutputDataObject(1));
+    auto* names = vtkStringArray::SafeDownCast(table->GetColumnByName("Name"));
+    const vtkIdType row = names ? names->LookupValue(name) : -1;
+    return row < 0
+      ? std::nan("")
+      : vtkDataArray::SafeDownCast(table->GetColumnByName(column))->GetComponent(row, 0);
+  }
+};
+
+Surface Ball()
+{
+  Surface ball = MakeEllipsoid({ 1.0, 1.5, 1.0 }, Faces::Triangles, 48, 25);
+  vtkNew<vtkDoubleArray> height;
+  height->SetName("HeightOfPoint");
+  for (vtkIdType i = 0; i < ball->GetNumberOfPoints(); ++i)
+  {
+    height->InsertNextValue(ball->GetPoint(i)[1]);
+  }
+  ball->GetPointData()->AddArray(height);
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("Number");
+  for (vtkIdType i = 0; i < ball->GetNumberOfCells(); ++i)
+  {
+    numbers->InsertNextValue(static_cast<int>(i) + 1);
+  }
+  ball->GetCellData()->AddArray(numbers);
+  return ball;
+}
+
+void CheckArrays(Checker& check)
+{
+  const Surface ball = Ball();
+  Printed printed(ball);
+  printed.Get()->SetStabilityAngle(0.0);
+  printed.Get()->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkPolyData* output = printed.Output();
+  check(output->GetNumberOfPolys() > 100 && printed.Errors.empty(), "there is a result");
+  const double factor = printed.Entry("Factor");
+  const double level = printed.Entry("FootLevel");
+  vtkDataArray* height = output->GetPointData()->GetArray("HeightOfPoint");
+  vtkDataArray* foot = output->GetCellData()->GetArray("Foot");
+  vtkDataArray* numbers = output->GetCellData()->GetArray("Number");
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    // Scaled about the level of the foot: interpolated heights are those of the points.
+    const double before = (output->GetPoint(i)[1] - level) / factor + level;
+    worst = std::max(worst, std::abs(before - height->GetTuple1(i)));
+  }
+  check(worst < 0.01, "arrays of points are interpolated: " + std::to_string(worst));
+  vtkIdType flat = 0;
+  bool good = true;
+  for (vtkIdType f = 0; f < output->GetNumberOfCells(); ++f)
+  {
+    flat += foot->GetTuple1(f) > 0.0 ? 1 : 0;
+    good = good && (foot->GetTuple1(f) > 0.0) == (numbers->GetTuple1(f) == 0.0);
+  }
+  check(flat > 10 && flat < output->GetNumberOfCells(), "the foot is marked");
+  check(good, "arrays of cells are those of the cells, 0 on the foot");
+}
+
+void CheckPlaces(Checker& check)
+{
+  const Surface ball = Ball();
+  Printed printed(ball);
+  printed.Get()->SetHeight(60.0);
+  printed.Get()->PlaceOnPlateOn();
+  double bounds[6];
+  printed.Output()->GetBounds(bounds);
+  check(bounds[4] == 0.0 && std::abs(bounds[5] - 60.0) < 1e-5, "z points up, from 0 to the height");
+  check(std::abs(bounds[0] + bounds[1]) < 1e-5 && std::abs(bounds[2] + bounds[3]) < 1e-5,
+    "in the middle of the plate");
+  check(printed.Entry("TiltAngle", "Before") < 0.0 && printed.Entry("TiltAngle") >= 10.0,
+    "the table says how it stood and stands");
+  check(printed.Entry("FootArea", "Before") == 0.0 && printed.Entry("FootArea") > 0.0 &&
+      printed.Entry("CutDepth") > 0.0,
+    "and what was cut");
+}
+
+void CheckMessages(Checker& check)
+{
+  const auto refuses = [&](Printed& printed, const char* words)
+  {
+    printed.Errors.clear();
+    printed.Output();
+    check(printed.Errors.size() == 1 && Contains(printed.Errors.front(), words) &&
+        printed.Get()->GetOutput()->GetNumberOfPoints() == 0,
+      std::string("an error says ") + words +
+        (printed.Errors.empty() ? "" : ", not " + printed.Errors.front()));
+  };
+  const Surface ball = Ball();
+  Printed both(ball);
+  both.Get()->SetVolume(1.0);
+  both.Get()->SetHeight(1.0);
+  refuses(both, "set one of them to 0");
+  both.Get()->SetVolume(-1.0);
+  refuses(both, "Volume must be 0 or more");
+  both.Get()->SetVolume(0.0);
+  both.Get()->SetHeight(std::nan(""));
+  refuses(both, "Height must be 0 or more");
+  both.Get()->SetHeight(0.0);
+  both.Get()->SetFootArea(1.0);
+  refuses(both, "makes a foot of");
+  both.Get()->SetFootArea(0.0);
+  refuses(both, "need a flat foot");
+  both.Get()->SetStabilityAngle(0.0);
+  both.Errors.clear();
+  vtkPolyData* same = both.Output();
+  check(both.Errors.empty() && LargestDistance(same, ball) == 0.0,
+    "where nothing is asked for, points stay to the bit");
+
+  // One cell is missing: its first corner, as the input numbers it, is where the hole is.
+  const Surface open = Ball();
+  open->BuildCells();
+  open->DeleteCell(200);
+  open->RemoveDeletedCells();
+  Printed holes(open);
+  refuses(holes, "3 border edges, the first at point ");
+  holes.Get()->CloseHolesOn();
+  holes.Errors.clear();
+  holes.Output();
+  check(holes.Errors.empty() && holes.Entry("HolesClosed") == 1.0, "the hole is closed");
+
+  const Surface three =
+    MakeSurface({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, .4 }, { -.6, .8, .5 }, { -.5, -.9, .6 } },
+      { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } });
+  Printed fan(three);
+  fan.Get()->CloseHolesOn();
+  refuses(fan, "edges of three or more faces, the first at point 0");
+}
+}
+
+int TestPrintableFilter(int, char*[])
+{
+  Checker check;
+  CheckArrays(check);
+  CheckPlaces(check);
+  CheckMessages(check);
+  return check.Result();
+}

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// A surface made printable: sections and feet whose area is known, angles measured again by
+/// rolling the solid over, closed manifolds, volumes, and what cannot be done.
+#include "Check.h"
+#include "ClosedSurface.h"
+#include "Meshes.h"
+#include "Printable.h"
+#include "SelfIntersections.h"
+#include "Standing.h"
+#include "SurfaceMeasures.h"
+
+#include <Eigen/Geometry>
+
+#include <limits>
+
+using namespace SphericalStyle;
+
+namespace
+{
+constexpr double Degrees = 180.0 / Meshes::Pi;
+
+bool IsClosed(const TriangleMesh& mesh)
+{
+  return IsClosedManifold(mesh.F, static_cast<int>(mesh.P.rows()));
+}
+
+/// The angle at which the solid falls over, by turning gravity around in 7200 directions: it falls
+/// where the center of mass is no longer over the foot.
+double TiltByRolling(const TriangleMesh& mesh, int axis)
+{
+  const double ground = mesh.P.col(axis).minCoeff();
+  const Eigen::Vector3d center = CenterOfMass(mesh);
+  const int x = (axis + 1) % 3;
+  const int y = (axis + 2) % 3;
+  double least = 180.0;
+  for (int k = 0; k < 7200; ++k)
+  {
+    const double turn = 2.0 * Meshes::Pi * k / 7200;
+    double reach = -std::numeric_limits<double>::infinity(); // of the foot in this direction
+    for (const auto& p : mesh.P.rowwise())
+    {
+      if (p(axis) == ground)
+      {
+        reach = std::max(
+          reach, std::cos(turn) * (p(x) - center(x)) + std::sin(turn) * (p(y) - center(y)));
+      }
+    }
+    least = std::min(least, Degrees * std::atan2(reach, center(axis) - ground));
+  }
+  return least;
+}
+
+void TestSections()
+{
+  const TriangleMesh box = Meshes::Box(3, { 1.0, 2.0, 3.0 });
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double area = 24.0 / (axis + 1); // of 2 x 4 x 6
+    CHECK_NEAR(SectionArea(box, axis, 0.3), area, 1e-12, "section of a box");
+    CHECK_NEAR(GroundArea(box, axis, 1e-9), area, 1e-12, "face of a box");
+  }
+  const TriangleMesh hollow = Meshes::HollowBall(0.5, 4); // radii 1 and .5, about
+  const double section = SectionArea(hollow, 1, 0.01);
+  CHECK_NEAR(section / Meshes::Pi, 0.75, 0.01, "section of a hollow ball");
+  const DerivedSurface cut = CutFlat(hollow, 1, 0.01);
+  CHECK(IsClosed(cut.mesh), "half a hollow ball is closed");
+  CHECK_NEAR(GroundArea(cut.mesh, 1, 0.0) / section, 1.0, 0.02, "its foot is a ring");
+  CHECK(SelfIntersections(cut.mesh).empty(), "and does not run through itself");
+
+  // Two balls that run through each other are closed one by one.
+  const TriangleMesh ball = Meshes::Icosphere(3);
+  const TriangleMesh two = Meshes::Together({ ball, Meshes::Moved(ball, { 0.7, 0.0, 0.1 }) });
+  const DerivedSurface halves = CutFlat(two, 1, -0.3);
+  CHECK(halves.mesh.F.rows() > 0 && IsClosed(halves.mesh), "two balls are closed");
+}
+
+void TestFans()
+{
+  TriangleMesh hourglass = Meshes::Tetrahedron(); // and another one at point 0
+  const TriangleMesh other = hourglass;
+  hourglass.P.conservativeResize(7, 3);
+  hourglass.P.bottomRows(3) = (-other.P.bottomRows(3)).rowwise() + 2.0 * other.P.row(0);
+  hourglass.F.conservativeResize(8, 3);
+  for (int f = 0; f < 4; ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int i = other.F(f, 2 - k);
+      hourglass.F(4 + f, k) = i == 0 ? 0 : i + 3;
+    }
+  }
+  CHECK(!IsClosed(hourglass), "an hourglass is no manifold");
+  DerivedSurface split = Underived(hourglass);
+  SplitFans(split);
+  CHECK(split.mesh.P.rows() == 8 && IsClosed(split.mesh), "its halves are two");
+  CHECK(split.ends[7][0] == 0 && split.mesh.P.row(7) == split.mesh.P.row(0), "at one place");
+}
+
+/// What holds of every result.
+void CheckMade(const PrintableResult& made, const PrintableOptions& options, double volume)
+{
+  const TriangleMesh& mesh = made.surface.mesh;
+  const int axis = options.axis;
+  CHECK(IsClosed(mesh), "closed");
+  CHECK(mesh.P.rows() == static_cast<Eigen::Index>(made.surface.ends.size()) &&
+      mesh.F.rows() == static_cast<Eigen::Index>(made.surface.triangles.size()),
+    "every point and triangle comes from somewhere");
+  const double ground = mesh.P.col(axis).minCoeff();
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+  {
+    if (made.surface.triangles[f] < 0)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        CHECK(mesh.P(mesh.F(f, k), axis) == ground, "the foot is flat to the bit");
+      }
+    }
+  }
+  CHECK_NEAR(EnclosedVolume(mesh.P, mesh.F) / volume, 1.0, 1e-12, "volume");
+  CHECK(TiltByRolling(mesh, axis) >= options.stabilityAngle - 1e-6,
+    "it stands: " << TiltByRolling(mesh, axis));
+  CHECK_NEAR(made.after.tiltAngle, TiltByRolling(mesh, axis), 0.02, "tilt angle");
+  CHECK(made.after.selfIntersecting <= made.before.selfIntersecting, "nothing runs through it");
+}
+
+void TestBall()
+{
+  const TriangleMesh ball = Meshes::Icosphere(5);
+  const double volume = EnclosedVolume(ball.P, ball.F);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    PrintableOptions options;
+    options.axis = axis;
+    options.footArea = 0.1;
+    const PrintableResult made = MakePrintable(ball, options);
+    CheckMade(made, options, volume);
+    // A disk of the area .1 * 4 lies at the height sqrt(1 - .4 / pi).
+    CHECK_NEAR(made.cutDepth, 1.0 - std::sqrt(1.0 - 0.4 / Meshes::Pi), 2e-3, "depth of the cut");
+    CHECK_NEAR(made.after.footArea, 0.4 * made.factor * made.factor, 4e-3, "area of the foot");
+    CHECK(made.lean == 0.0, "a ball does not lean");
+  }
+  PrintableOptions options;
+  options.volume = 7.0;
+  CheckMade(MakePrintable(ball, options), options, 7.0);
+  options.volume = 0.0;
+  options.height = 80.0;
+  const PrintableResult high = MakePrintable(ball, options);
+  CHECK_NEAR(high.after.height, 80.0, 1e-12 * 80.0, "height");
+  options = {};
+  options.stabilityAngle = 25.0; // needs a larger foot: tan 25 is .47
+  const PrintableResult large = MakePrintable(ball, options);
+  CheckMade(large, options, volume);
+  CHECK(large.after.footArea > 0.2 * 4.0 * 0.05, "the foot grows");
+}
+
+void TestLean()
+{
+  // A column that leans by 40 degrees over a foot of 1 x 1, five high.
+  TriangleMesh column = Meshes::Box(8, { 0.5, 2.5, 0.5 });
+  column.P.col(0) += 0.2 * (column.P.col(1).array() + 2.5).matrix();
+  PrintableOptions options;
+  options.footArea = 0.01;
+  options.stabilityAngle = 5.0;
+  const PrintableResult made = MakePrintable(column, options);
+  CHECK_NEAR(made.before.tiltAngle, 0.0, 1e-6, "the center is over the edge");
+  CHECK(made.cutDepth == 0.0, "it has a foot");
+  CheckMade(made, options, EnclosedVolume(column.P, column.F));
+  CHECK_NEAR(made.after.tiltAngle, 5.0, 1e-9, "as much as is wanted, and no more");
+  // The center 2.5 above the foot moves by 2.5 tan 5.
+  CHECK_NEAR(made.lean, 5.0, 1e-9, "lean");
+  for (Eigen::Index i = 0; i < column.P.rows(); ++i)
+  {
+    if (column.P(i, 1) == -2.5)
+    {
+      CHECK(made.surface.mesh.P.row(i) == column.P.row(i), "the foot stays to the bit");
+    }
+  }
+  options.stabilityAngle = 0.0;
+  CHECK(Meshes::SameBits(MakePrintable(column, options).surface.mesh.P, column.P),
+    "nothing is asked for, nothing changes");
+  options.stabilityAngle = 30.0;
+  CHECK_THROWS(std::invalid_argument, MakePrintable(column, options), "StabilityAngle: 30 degrees");
+}
+
+void TestRefused()
+{
+  PrintableOptions options;
+  options.footArea = 0.9;
+  CHECK_THROWS(std::invalid_argument, MakePrintable(Meshes::Icosphere(3), options), "FootArea");
+  options.footArea = 0.0;
+  CHECK_THROWS(
+    std::invalid_argument, MakePrintable(Meshes::Icosphere(3), options), "a point or a line");
+  options.stabilityAngle = 0.0;
+  CHECK_THROWS(
+    std::invalid_argument, MakePrintable(Meshes::Box(2, { 1.0, 0.0, 1.0 }), options), "volume");
+}
+
+void TestHoles()
+{
+  TriangleMesh ball = Meshes::Icosphere(3);
+  const double volume = EnclosedVolume(ball.P, ball.F);
+  ball.F = ball.F.topRows(ball.F.rows() - 9).eval();
+  const Points before = ball.P;
+  CHECK(FindOpenEdges(ball.F).borders > 0, "it is open");
+  CHECK(FillHoles(ball) >= 1, "it has holes");
+  CHECK(IsClosed(ball), "they are filled");
+  CHECK(ball.P.topRows(before.rows()) == before, "points keep their numbers");
+  CHECK_NEAR(EnclosedVolume(ball.P, ball.F) / volume, 1.0, 0.02, "volume");
+  const OpenEdges three = FindOpenEdges(Meshes::ThreeAtAnEdge().F);
+  CHECK(three.nonManifold > 0 && three.firstNonManifold >= 0, "three triangles at an edge");
+}
+} // namespace
+
+int main()
+{
+  TestSections();
+  TestFans();
+  TestBall();
+  TestLean();
+  TestRefused();
+  TestHoles();
+  return CheckResult();
+}
