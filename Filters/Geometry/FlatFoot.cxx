@@ -17,7 +17,7 @@
 #include <deque>
 #include <limits>
 #include <map>
-#include <numeric>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -72,7 +72,7 @@ void MarkInside(Delaunay& triangulation)
 
 /// Triangles inside of borders in a plane across the axis, facing down.
 /// @return false where the borders cross each other or pass through a point twice
-bool FillBorders(const Points& P, int axis, const std::vector<std::array<int, 2>>& borders,
+bool FillSection(const Points& P, int axis, const std::vector<std::array<int, 2>>& borders,
   std::vector<std::array<int, 3>>& filling)
 {
   Delaunay triangulation;
@@ -183,6 +183,193 @@ void DropUnused(DerivedSurface& surface)
   surface.shares.resize(n);
   surface.mesh.F = surface.mesh.F.unaryExpr([&](int i) { return number[i]; }).eval();
 }
+
+bool HaveCommonEdge(const Triangles& F, int f, int g)
+{
+  int common = 0;
+  for (const int corner : F.row(g))
+  {
+    common += (F.row(f).array() == corner).any() ? 1 : 0;
+  }
+  return common >= 2;
+}
+
+/// Takes the fan of the last one of the triangles at a point out of them.
+std::vector<int> TakeFan(const Triangles& F, std::vector<int>& triangles)
+{
+  std::vector<int> fan;
+  if (!triangles.empty())
+  {
+    fan.push_back(triangles.back());
+    triangles.pop_back();
+  }
+  for (std::size_t k = 0; k < fan.size(); ++k)
+  {
+    const auto end = std::stable_partition(triangles.begin(), triangles.end(),
+      [&F, f = fan[k]](int other) { return !HaveCommonEdge(F, f, other); });
+    fan.insert(fan.end(), end, triangles.end());
+    triangles.erase(end, triangles.end());
+  }
+  return fan;
+}
+
+Triangles AsMatrix(const std::vector<std::array<int, 3>>& triangles)
+{
+  Triangles F(static_cast<Eigen::Index>(triangles.size()), 3);
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+  {
+    F.row(static_cast<Eigen::Index>(f)) = Eigen::Map<const Eigen::RowVector3i>(triangles[f].data());
+  }
+  return F;
+}
+
+/// A surface while it is cut.
+class FlatCut
+{
+public:
+  FlatCut(const TriangleMesh& mesh, int axis, double level)
+    : Mesh(mesh)
+    , Axis(axis)
+    , Level(level)
+    , P(mesh.P)
+    , Made(Underived(mesh))
+  {
+    MoveOntoLevel(this->P, mesh.F, axis, level);
+    this->Made.triangles.clear();
+  }
+
+  void KeepAbove();
+  /// @return false where a part of the section runs through itself
+  bool CloseFoot();
+  DerivedSurface Take()
+  {
+    this->Made.triangles.resize(this->Kept.size(), -1);
+    this->Made.mesh = { this->P, AsMatrix(this->Kept) };
+    return std::move(this->Made);
+  }
+
+private:
+  using Edges = std::vector<std::array<int, 2>>;
+  double Height(int i) const { return this->P(i, this->Axis) - this->Level; }
+  int PointOn(int u, int v);
+  void KeepAbove(Eigen::Index f);
+  Edges Borders() const;
+
+  const TriangleMesh& Mesh;
+  int Axis;
+  double Level;
+  Points P;
+  DerivedSurface Made;
+  std::vector<Eigen::RowVector3d> Added; // points
+  std::unordered_map<std::uint64_t, int> OnEdge;
+  std::vector<std::array<int, 3>> Kept; // triangles
+};
+
+/// @param u, v  one above, one below
+int FlatCut::PointOn(int u, int v)
+{
+  const int a = std::min(u, v);
+  const int b = std::max(u, v);
+  const int next = static_cast<int>(this->Mesh.P.rows() + this->Added.size());
+  const auto [place, isNew] = this->OnEdge.emplace(Key(a, b), next);
+  if (isNew)
+  {
+    const double share = this->Height(a) / (this->Height(a) - this->Height(b));
+    Eigen::RowVector3d p = this->P.row(a) + share * (this->P.row(b) - this->P.row(a));
+    p(this->Axis) = this->Level;
+    this->Added.emplace_back(p);
+    this->Made.ends.push_back({ a, b });
+    this->Made.shares.push_back(share);
+  }
+  return place->second;
+}
+
+void FlatCut::KeepAbove()
+{
+  for (Eigen::Index f = 0; f < this->Mesh.F.rows(); ++f)
+  {
+    this->KeepAbove(f);
+  }
+  const Eigen::Index n = this->P.rows();
+  this->P.conservativeResize(n + static_cast<Eigen::Index>(this->Added.size()), 3);
+  for (std::size_t k = 0; k < this->Added.size(); ++k)
+  {
+    this->P.row(n + static_cast<Eigen::Index>(k)) = this->Added[k];
+  }
+}
+
+void FlatCut::KeepAbove(Eigen::Index f)
+{
+  std::vector<int> polygon; // what is above
+  bool isAbove = false;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int u = this->Mesh.F(f, k);
+    const int v = this->Mesh.F(f, (k + 1) % 3);
+    if (this->Height(u) >= 0.0)
+    {
+      polygon.push_back(u);
+      isAbove = isAbove || this->Height(u) > 0.0;
+    }
+    if (this->Height(u) * this->Height(v) < 0.0)
+    {
+      polygon.push_back(this->PointOn(u, v));
+    }
+  }
+  for (std::size_t k = 2; isAbove && k < polygon.size(); ++k)
+  {
+    this->Kept.push_back({ polygon[0], polygon[k - 1], polygon[k] });
+    this->Made.triangles.push_back(static_cast<int>(f));
+  }
+}
+
+/// The other way round than in the triangles that are kept.
+FlatCut::Edges FlatCut::Borders() const
+{
+  std::set<std::uint64_t> edges;
+  for (const auto& t : this->Kept)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.insert(Key(t[k], t[(k + 1) % 3]));
+    }
+  }
+  Edges borders;
+  for (const auto& t : this->Kept)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (edges.count(Key(t[(k + 1) % 3], t[k])) == 0)
+      {
+        borders.push_back({ t[(k + 1) % 3], t[k] });
+      }
+    }
+  }
+  return borders;
+}
+
+bool FlatCut::CloseFoot()
+{
+  const Edges all = this->Borders();
+  std::vector<std::array<int, 3>> foot;
+  bool filled = FillSection(this->P, this->Axis, all, foot);
+  if (!filled)
+  {
+    // Parts that run through each other are closed one by one.
+    foot.clear();
+    const auto n = static_cast<int>(this->Mesh.P.rows());
+    const std::vector<int> parts = MeshTopology(this->Mesh.F, n).GetComponents();
+    std::map<int, Edges> borders;
+    for (const auto& border : all)
+    {
+      borders[parts[this->Made.ends[border[1]][0]]].push_back(border);
+    }
+    filled = std::all_of(borders.begin(), borders.end(),
+      [&](const auto& part) { return FillSection(this->P, this->Axis, part.second, foot); });
+  }
+  this->Kept.insert(this->Kept.end(), foot.begin(), foot.end());
+  return filled && !this->Kept.empty();
+}
 } // namespace
 
 DerivedSurface Underived(const TriangleMesh& mesh)
@@ -240,46 +427,22 @@ void SplitFans(DerivedSurface& surface)
   Triangles& F = surface.mesh.F;
   const auto n = static_cast<int>(surface.mesh.P.rows());
   std::vector<std::vector<int>> at(n); // triangles
-  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  for (Eigen::Index corner = 0; corner < F.size(); ++corner)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      at[F(f, k)].push_back(static_cast<int>(f));
-    }
+    at[F.data()[corner]].push_back(static_cast<int>(corner / 3));
   }
   std::vector<int> sources; // of new points
   for (int i = 0; i < n; ++i)
   {
     std::vector<int> rest = at[i];
-    for (bool first = true; !rest.empty(); first = false)
+    TakeFan(F, rest); // the first one keeps the point
+    while (!rest.empty())
     {
-      std::vector<int> fan = { rest.back() };
-      rest.pop_back();
-      for (std::size_t k = 0; k < fan.size(); ++k)
+      const int copy = n + static_cast<int>(sources.size());
+      sources.push_back(i);
+      for (const int f : TakeFan(F, rest))
       {
-        const Eigen::RowVector3i t = F.row(fan[k]);
-        const auto meets = [&](int f)
-        {
-          int common = 0;
-          for (int a = 0; a < 3; ++a)
-          {
-            common += (t.array() == F(f, a)).any() ? 1 : 0;
-          }
-          return common >= 2;
-        };
-        const auto end =
-          std::stable_partition(rest.begin(), rest.end(), [&](int f) { return !meets(f); });
-        fan.insert(fan.end(), end, rest.end());
-        rest.erase(end, rest.end());
-      }
-      if (!first)
-      {
-        const int copy = n + static_cast<int>(sources.size());
-        sources.push_back(i);
-        for (const int f : fan)
-        {
-          F.row(f) = (F.row(f).array() == i).select(copy, F.row(f)).eval();
-        }
+        F.row(f) = (F.row(f).array() == i).select(copy, F.row(f)).eval();
       }
     }
   }
@@ -368,116 +531,20 @@ double FootLevel(const TriangleMesh& mesh, int axis, double wanted, double deepe
 
 DerivedSurface CutFlat(const TriangleMesh& mesh, int axis, double level)
 {
-  DerivedSurface cut;
-  Points P = mesh.P;
-  MoveOntoLevel(P, mesh.F, axis, level);
-  const auto n = static_cast<int>(P.rows());
-  std::vector<Eigen::RowVector3d> added;
-  for (int i = 0; i < n; ++i)
-  {
-    cut.ends.push_back({ i, i });
-    cut.shares.push_back(0.0);
-  }
-  std::unordered_map<std::uint64_t, int> onEdge;
-  const auto pointOn = [&](int u, int v) // one above, one below
-  {
-    const auto [place, isNew] =
-      onEdge.emplace(Key(std::min(u, v), std::max(u, v)), n + static_cast<int>(added.size()));
-    if (isNew)
-    {
-      const int a = std::min(u, v);
-      const int b = std::max(u, v);
-      const double share = (level - P(a, axis)) / (P(b, axis) - P(a, axis));
-      Eigen::RowVector3d p = P.row(a) + share * (P.row(b) - P.row(a));
-      p(axis) = level;
-      added.emplace_back(p);
-      cut.ends.push_back({ a, b });
-      cut.shares.push_back(share);
-    }
-    return place->second;
-  };
-  std::vector<std::array<int, 3>> kept;
-  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
-  {
-    std::vector<int> polygon; // what is above
-    bool isAbove = false;
-    for (int k = 0; k < 3; ++k)
-    {
-      const int u = mesh.F(f, k);
-      const int v = mesh.F(f, (k + 1) % 3);
-      if (P(u, axis) >= level)
-      {
-        polygon.push_back(u);
-        isAbove = isAbove || P(u, axis) > level;
-      }
-      if ((P(u, axis) > level && P(v, axis) < level) || (P(u, axis) < level && P(v, axis) > level))
-      {
-        polygon.push_back(pointOn(u, v));
-      }
-    }
-    for (std::size_t k = 2; isAbove && k < polygon.size(); ++k)
-    {
-      kept.push_back({ polygon[0], polygon[k - 1], polygon[k] });
-      cut.triangles.push_back(static_cast<int>(f));
-    }
-  }
-  P.conservativeResize(n + static_cast<Eigen::Index>(added.size()), 3);
-  for (std::size_t k = 0; k < added.size(); ++k)
-  {
-    P.row(n + static_cast<Eigen::Index>(k)) = added[k];
-  }
-  const auto fill = [&](const std::vector<std::array<int, 3>>& triangles)
-  {
-    Triangles F(static_cast<Eigen::Index>(triangles.size()), 3);
-    for (std::size_t f = 0; f < triangles.size(); ++f)
-    {
-      F.row(static_cast<Eigen::Index>(f)) =
-        Eigen::Map<const Eigen::RowVector3i>(triangles[f].data());
-    }
-    return F;
-  };
-  const Triangles above = fill(kept);
-  std::unordered_map<std::uint64_t, int> edges;
-  for (const auto& t : kept)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      edges.emplace(Key(t[k], t[(k + 1) % 3]), 0);
-    }
-  }
-  // Borders of each part of the surface: parts that run through each other are closed one by one.
-  const std::vector<int> parts = MeshTopology(mesh.F, n).GetComponents();
-  std::map<int, std::vector<std::array<int, 2>>> borders;
-  std::vector<std::array<int, 2>> all;
-  for (const auto& t : kept)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      if (edges.count(Key(t[(k + 1) % 3], t[k])) == 0)
-      {
-        all.push_back({ t[(k + 1) % 3], t[k] });
-        borders[parts[cut.ends[t[k]][0]]].push_back(all.back());
-      }
-    }
-  }
-  std::vector<std::array<int, 3>> foot;
-  bool filled = FillBorders(P, axis, all, foot);
-  if (!filled)
-  {
-    foot.clear();
-    filled = std::all_of(borders.begin(), borders.end(),
-      [&](const auto& part) { return FillBorders(P, axis, part.second, foot); });
-  }
-  kept.insert(kept.end(), foot.begin(), foot.end());
-  cut.triangles.resize(kept.size(), -1);
-  cut.mesh = { P, fill(kept) };
-  const OpenEdges open = FindOpenEdges(cut.mesh.F);
-  if (!filled || kept.empty() || open.borders + open.nonManifold > 0)
+  FlatCut cut(mesh, axis, level);
+  cut.KeepAbove();
+  if (!cut.CloseFoot())
   {
     return {};
   }
-  SplitFans(cut);
-  DropUnused(cut);
-  return cut;
+  DerivedSurface made = cut.Take();
+  const OpenEdges open = FindOpenEdges(made.mesh.F);
+  if (open.borders + open.nonManifold > 0)
+  {
+    return {};
+  }
+  SplitFans(made);
+  DropUnused(made);
+  return made;
 }
 } // namespace SphericalStyle
