@@ -234,7 +234,7 @@ void FollowsTheModel(Checker& check)
       filter->SetDetailSize(0.0);
       filter->SetNormalBlend(0.3);
       filter->SetTarget(shape.target);
-      const Surface result = Surface::New();
+      Surface result = Surface::New();
       result->DeepCopy(filter.Output());
       check(filter.Errors.empty(), "it should be taken" + Joined(filter.Errors));
       return result;
@@ -264,7 +264,7 @@ void MinimizesToo(Checker& check)
       filter->SetStopRuleToFixedIterations();
       filter->SetMaximumNumberOfIterations(400);
     }
-    const Surface result = Surface::New();
+    Surface result = Surface::New();
     result->DeepCopy(filter.Output());
     check(filter.Errors.empty(), "it should be taken" + Joined(filter.Errors));
     return result;

@@ -255,11 +255,12 @@ void TestMesh()
   CHECK_NEAR(TargetShape(options, NoMoments).RadiusAlong(Vector3d::UnitZ()),
     shape.RadiusAlong(Vector3d::UnitZ()), 1e-12, "inside out");
 
-  CHECK_THROWS(NotStarShaped, StarMesh(Meshes::Doll()), "is not seen from");
+  const TriangleMesh doll = Meshes::Doll();
+  CHECK_THROWS(NotStarShaped, StarMesh{ doll }, "is not seen from");
   TriangleMesh open = mesh;
   open.F.conservativeResize(open.F.rows() - 1, 3);
   CHECK_THROWS(std::invalid_argument, StarMesh{ open }, "open");
-  CHECK_THROWS(std::invalid_argument, StarMesh(TriangleMesh{}), "no triangle");
+  CHECK_THROWS(std::invalid_argument, StarMesh{ TriangleMesh() }, "no triangle");
   open.P(0, 0) = NAN;
   CHECK_THROWS(std::invalid_argument, StarMesh{ open }, "not finite");
 }
