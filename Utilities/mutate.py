@@ -1,0 +1,252 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Changes one operator, constant or condition of Filters/ at a time, and looks whether a test fails.
+
+A change that no test notices (a survivor) is a place that nothing checks, or one that does not matter: look at each.
+Which changes are made follows from the sources and the seed alone. Files are changed in place and put back, so use a
+clone that nothing else uses, with a build whose tests pass:
+
+    cmake --preset release -DCMAKE_UNITY_BUILD=OFF && cmake --build build
+    Utilities/mutate.py build --count 200
+
+Results are appended to a file; started again, the script goes on after the last one. Each change is tried with the
+test of the file's name, then with those of its folder (Solver or Geometry), then with the quick ones of Cxx. Headers
+are not changed: half of the project would be built again.
+"""
+import argparse
+import collections
+import json
+import random
+import re
+import resource
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+SWAPS = {
+    "+": "-", "-": "+", "*": "/", "/": "*", "+=": "-=", "-=": "+=", "*=": "/=", "/=": "*=",
+    "<": ">=", ">=": "<", ">": "<=", "<=": ">", "==": "!=", "!=": "==", "&&": "||", "||": "&&",
+    "std::min(": "std::max(", "std::max(": "std::min(", "true": "false", "false": "true",
+}  # fmt: skip
+# clang-format puts a space on both sides of an operator that has two operands, and of no other.
+OPERATOR = re.compile(r"(?<=[\w)\]}] )(?:[-+*/]=?|<=?|>=?|==|!=|&&|\|\|)(?=\s)")
+WORD = re.compile(r"std::(?:min|max)\(|\b(?:true|false)\b")
+CONSTANT = re.compile(r"(?<![\w.<\[])(?:\d+\.\d*(?:e[-+]?\d+)?|\d+)(?![\w.>\]])")
+CONDITION = re.compile(r"\bif \(")
+GROUPS = ("Solver.", "Geometry.", "Cxx.")
+TESTS_AT_ONCE = 12
+SLOW = 20.0  # seconds of a test that is left out, unless it has the file's name
+LIMIT = 120  # seconds, of a test that was changed into an endless loop
+MEMORY = 8 << 30  # bytes, of one that allocates without end
+
+
+def without_text(source):
+    """The source with blanks for comments, strings, and lines of the preprocessor."""
+    pattern = r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|^#[^\n]*|\bstatic_assert\([^;]*;'
+    return re.sub(
+        pattern, lambda m: re.sub(r"[^\n]", " ", m.group()), source, flags=re.DOTALL | re.MULTILINE
+    )
+
+
+def end_of_parenthesis(code, begin):
+    depth = 1
+    for at in range(begin, len(code)):
+        depth += {"(": 1, ")": -1}.get(code[at], 0)
+        if depth == 0:
+            return at
+    raise ValueError("a parenthesis is not closed")
+
+
+def changed_constant(text):
+    if "." not in text:
+        return str(int(text) + 1)
+    return repr(1.5 * float(text)) if float(text) else "1.0"
+
+
+def changes_of(path):
+    """All (begin, end, replacement, kind) of a file."""
+    code = without_text(path.read_text(encoding="utf-8"))
+    for m in OPERATOR.finditer(code):
+        if m.group() in SWAPS:
+            yield m.start(), m.end(), SWAPS[m.group()], "operator"
+    for m in WORD.finditer(code):
+        yield m.start(), m.end(), SWAPS[m.group()], "operator"
+    for m in CONSTANT.finditer(code):
+        yield m.start(), m.end(), changed_constant(m.group()), "constant"
+    for m in CONDITION.finditer(code):
+        yield m.end(), end_of_parenthesis(code, m.end()), "false", "condition"
+
+
+def folder_of(path):
+    folder = path.parent.relative_to(ROOT / "Filters").as_posix()
+    return "Filters" if folder == "." else folder
+
+
+class Tests:
+    """The tests of a build, the quickest ones first."""
+
+    def __init__(self, build):
+        self.Build = build
+        listed = subprocess.run(
+            ["ctest", "--test-dir", build, "--show-only=json-v1"], check=True, capture_output=True
+        )
+        costs = {}
+        known = build / "Testing" / "Temporary" / "CTestCostData.txt"
+        for line in known.read_text(encoding="utf-8").splitlines() if known.exists() else []:
+            name, *numbers = line.split()
+            if len(numbers) == 2:
+                costs[name] = float(numbers[1])
+        self.Costs = {
+            t["name"]: costs.get(t["name"], 0.0) for t in json.loads(listed.stdout)["tests"]
+        }
+        while failed := self.first_failure(self.quick()):
+            print(f"without a change {failed} fails here: it is left out", flush=True)
+            del self.Costs[failed]
+
+    def quick(self):
+        return [name for name, cost in self.Costs.items() if name.startswith(GROUPS) and cost <= SLOW]
+
+    def batches_for(self, path):
+        own = [name for name in self.Costs if name.endswith(f".Test{path.stem.removeprefix('vtk')}")]
+        first = folder_of(path).split("/")[0]
+        groups = [first, "Cxx"] if first in ("Solver", "Geometry") else ["Cxx"]
+        yield own
+        for group in groups:
+            rest = [
+                name
+                for name, cost in sorted(self.Costs.items(), key=lambda item: item[1])
+                if name.startswith(group + ".") and cost <= SLOW and name not in own
+            ]
+            for k in range(0, len(rest), TESTS_AT_ONCE):
+                yield rest[k : k + TESTS_AT_ONCE]
+
+    def first_failure(self, names):
+        if not names:
+            return None
+        pattern = "^(" + "|".join(re.escape(name) for name in names) + ")$"
+        run = subprocess.run(
+            ["ctest", "--test-dir", self.Build, "-R", pattern, "--stop-on-failure", "-j2"]
+            + ["--timeout", str(LIMIT)],
+            check=False,
+            capture_output=True,
+            text=True,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)),
+        )
+        failed = re.search(r"^\s*\d+ - (\S+) \((.*)\)$", run.stdout, re.MULTILINE)
+        if run.returncode == 0:
+            return None
+        return failed.group(1) if failed else "ctest"
+
+
+def build_passes(build):
+    command = ["cmake", "--build", build, "-j2"]
+    return subprocess.run(command, check=False, capture_output=True).returncode == 0
+
+
+def verdict_of(path, change, build, tests):
+    source = path.read_text(encoding="utf-8")
+    begin, end, replacement, _ = change
+    path.write_text(source[:begin] + replacement + source[end:], encoding="utf-8")
+    try:
+        if not build_passes(build):
+            return "not compiled", None
+        for batch in tests.batches_for(path):
+            failed = tests.first_failure(batch)
+            if failed:
+                return "caught", failed
+        return "survived", None
+    finally:
+        path.write_text(source, encoding="utf-8")
+
+
+def table_of(results):
+    counts = collections.defaultdict(collections.Counter)
+    for result in results:
+        counts[result["folder"]][result["verdict"]] += 1
+        counts["all"][result["verdict"]] += 1
+    lines = ["| folder | changes | caught | % |", "|---|---|---|---|"]
+    for folder in sorted(counts):
+        caught = counts[folder]["caught"]
+        tried = caught + counts[folder]["survived"]
+        if tried:
+            lines.append(f"| {folder} | {tried} | {caught} | {100.0 * caught / tried:.0f} |")
+    lines += [
+        f"survived: {r['file']}:{r['line']}: {r['before']} -> {r['after']}: {r['text']}"
+        for r in results
+        if r["verdict"] == "survived"
+    ]
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("build", type=Path, help="build folder")
+    parser.add_argument("--count", type=int, default=200, help="changes to try (default: 200)")
+    parser.add_argument("--seed", type=int, default=1, help="of the choice (default: 1)")
+    parser.add_argument("--folder", default="Filters", help="sources to change (default: Filters)")
+    parser.add_argument("--results", type=Path, help="file (default: BUILD/mutations.jsonl)")
+    parser.add_argument("--seconds", type=float, help="begin no other change after this time")
+    args = parser.parse_args()
+    build = args.build.resolve()
+    journal = args.results or build / "mutations.jsonl"
+    results = []
+    if journal.exists():
+        results = [json.loads(line) for line in journal.read_text(encoding="utf-8").splitlines()]
+    done = {(r["file"], r["begin"], r["after"]) for r in results}
+
+    changes = [
+        (path, change)
+        for path in sorted((ROOT / args.folder).rglob("*.cxx"))
+        for change in changes_of(path)
+    ]
+    random.Random(args.seed).shuffle(changes)
+    if not build_passes(build):
+        sys.exit("the build fails without a change")
+    tests = Tests(build)
+    begin = time.monotonic()
+    tried = 0
+    for path, change in changes:
+        if tried >= args.count or (args.seconds and time.monotonic() - begin > args.seconds):
+            break
+        name = path.relative_to(ROOT).as_posix()
+        if (name, change[0], change[2]) in done:
+            tried += sum(
+                r["verdict"] != "not compiled"
+                for r in results
+                if (r["file"], r["begin"], r["after"]) == (name, change[0], change[2])
+            )
+            continue
+        source = path.read_text(encoding="utf-8")
+        line = source.count("\n", 0, change[0])
+        verdict, failed = verdict_of(path, change, build, tests)
+        result = {
+            "file": name,
+            "folder": folder_of(path),
+            "line": line + 1,
+            "begin": change[0],
+            "kind": change[3],
+            "before": source[change[0] : change[1]],
+            "after": change[2],
+            "text": source.splitlines()[line].strip(),
+            "verdict": verdict,
+            "test": failed,
+        }
+        results.append(result)
+        with journal.open("a", encoding="utf-8") as out:
+            out.write(json.dumps(result) + "\n")
+        tried += verdict != "not compiled"
+        print(
+            f"{tried:4} {verdict:12} {name}:{line + 1}: {result['before']} -> {change[2]} {failed or ''}",
+            flush=True,
+        )
+    build_passes(build)
+    print(table_of(results))
+
+
+if __name__ == "__main__":
+    main()
