@@ -130,7 +130,8 @@ def _safe_for_vtk(path, name, messages):
     try:
         is_obj = path.suffix.lower() == ".obj"
         misfits = obj_files.misfits(path) if is_obj else {}
-        if not misfits and not (is_obj and obj_files.counts_back(path)):
+        left_out = obj_files.to_rewrite(path) if is_obj else None
+        if not misfits and left_out is None:
             yield path
             return
         texts = [f"the face in line {misfit.line} names {obj_files.KINDS[of]} {misfit.number}, and the file has"
@@ -141,7 +142,7 @@ def _safe_for_vtk(path, name, messages):
         messages.warnings += [f"{name}: {text}; read without its {obj_files.KINDS[of]}s"
                               for text, of in zip(texts, sorted(misfits))]
         with tempfile.NamedTemporaryFile(suffix=path.suffix) as copy:
-            obj_files.copy_without(path, copy, misfits)
+            obj_files.copy_without(path, copy, {*misfits, *(left_out or ())})
             copy.flush()
             yield pathlib.Path(copy.name)
     except OSError as error:

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """OBJ files whose faces name points, texture coordinates or normals that the file does not have, or count them back from
-their line. VTK's reader reads behind its arrays there, that of VTK 9.3 also where faces count back."""
+their line. VTK's reader reads behind its arrays there; that of VTK 9.3 also where faces count back, that of 9.1 also
+where they name normals and there are none."""
 import collections
 import mmap
 import re
@@ -19,24 +20,27 @@ Misfit = collections.namedtuple("Misfit", "line number count")
 _CORNER = re.compile(rb"\s*([+-]?\d+)(?:/\s*([+-]?\d+)(?:/\s*([+-]?\d+))?|//\s*([+-]?\d+))?\S*")
 _FACES = b"f ", b"f\t", b"f\v", b"f\f"
 _BACKWARD = re.compile(rb"^[^\S\n]*f\s[^\n]*-", re.MULTILINE)
+_NORMAL = re.compile(rb"^[^\S\n]*vn\s", re.MULTILINE)
+_NAMED_NORMAL = re.compile(rb"^[^\S\n]*f\s[^\n]*/[^\s/]*/", re.MULTILINE)
 _PIECE = 1 << 20  # bytes of a file that are looked at together
 _ONLY_NUMBERS = bytes.maketrans(b"f/", b"  ")
 
 
 def misfits(path):
-    """The first misfit of each command of COMMANDS that has one. That there are no normals at all is none: the reader
-    knows that."""
+    """The first misfit of each command of COMMANDS that has one. That there are no normals at all is none."""
     return {} if _surely_fits(path) else _find_misfits(path)
 
 
-def counts_back(path):
-    """Whether a face names something by its distance from the line, such as -1 for the last point before it. True also
-    for faces that go on in the next line."""
+def to_rewrite(path):
+    """What has to be left out of a copy that VTK's readers take, without misfits: normals that faces name where the file
+    has none. None where no copy is needed: one is where a face counts back from its line, or may go on in the next."""
     with open(path, "rb") as file:
         if file.seek(0, 2) == 0:
-            return False
+            return None
         with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
-            return _BACKWARD.search(text) is not None or text.find(b"\\") >= 0
+            if not _NORMAL.search(text) and _NAMED_NORMAL.search(text):
+                return [b"vn"]
+            return [] if _BACKWARD.search(text) or text.find(b"\\") >= 0 else None
 
 
 def copy_without(path, copy, left_out):

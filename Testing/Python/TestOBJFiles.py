@@ -91,8 +91,7 @@ for text, words in ((POINTS + "f 1 2 4\n", "line 4 names point 4, and the file h
     else:
         raise AssertionError(text)
 
-# What is there is read as ever, without a word. So are normals that are not there where there are none at all: VTK does
-# not look them up.
+# What is there is read as ever, without a word. So are files whose faces name normals where there are none at all.
 ALL = POINTS + COORDINATES + NORMALS
 for text, arrays in ((POINTS + COORDINATES + "f 1/1 2/2 3/1\n", ["TCoords"]),
                      (ALL + "f 1/1/1 2/2/1 3/1/3\n", ["Normals", "TCoords"]),
