@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""OBJ files whose faces name points, texture coordinates or normals that the file does not have, or count them back from
-their line. VTK's reader reads behind its arrays there; that of VTK 9.3 also where faces count back, that of 9.1 also
-where they name normals and there are none."""
+"""OBJ files whose faces name points, texture coordinates or normals that the file does not have, or count them back
+from their line. VTK's reader reads behind its arrays there; that of VTK 9.3 also where faces count back, that of 9.1
+also where they name normals and there are none."""
 import collections
 import mmap
 import re
@@ -32,8 +32,9 @@ def misfits(path):
 
 
 def to_rewrite(path):
-    """What has to be left out of a copy that VTK's readers take, without misfits: normals that faces name where the file
-    has none. None where no copy is needed: one is where a face counts back from its line, or may go on in the next."""
+    """What has to be left out of a copy that VTK's readers take, without misfits: normals that faces name where the
+    file has none. None where no copy is needed: one is where a face counts back from its line, or may go on in the
+    next."""
     with open(path, "rb") as file:
         if file.seek(0, 2) == 0:
             return None
