@@ -192,10 +192,10 @@ StarMesh::StarMesh(const TriangleMesh& mesh)
     throw std::invalid_argument("it is open, or its triangles do not all face the same way");
   }
   this->P.rowwise() -= O.transpose();
-  const double outward = std::copysign(1.0, EnclosedVolume(this->P, this->F));
+  this->Outward = std::copysign(1.0, EnclosedVolume(this->P, this->F));
   for (Eigen::Index f = 0; f < this->F.rows(); ++f)
   {
-    const double volume = outward * TripleProduct(this->P, this->F, f, Vector3d::Zero());
+    const double volume = this->Outward * TripleProduct(this->P, this->F, f, Vector3d::Zero());
     const double distance = this->P(this->F.row(f), AllColumns).rowwise().norm().maxCoeff();
     if (areas(f) > 0.0 && volume <= 2.0 * areas(f) * distance * EdgeOn)
     {
@@ -204,6 +204,37 @@ StarMesh::StarMesh(const TriangleMesh& mesh)
     this->Volume += volume / 6.0;
   }
   this->Tree = std::make_unique<TriangleTree>(this->P, this->F);
+}
+
+/// The triangle that d leaves through. A search along the ray passes by what is very near O or
+/// seen from its edge; then it is the one whose cone of three planes through O has d deepest
+/// inside.
+int StarMesh::TriangleToward(const Vector3d& d) const
+{
+  FirstHit hit(this->P, this->F, Vector3d::Zero(), d, FirstHit::Nothing);
+  hit.Search(*this->Tree);
+  if (hit.GetTriangle() >= 0)
+  {
+    return hit.GetTriangle();
+  }
+  double deepest = -INFINITY;
+  int toward = 0;
+  for (int f = 0; f < static_cast<int>(this->F.rows()); ++f)
+  {
+    // Barycentric coordinates of d in f, each times the same factor.
+    const Vector3d a = this->P.row(this->F(f, 0));
+    const Vector3d b = this->P.row(this->F(f, 1));
+    const Vector3d c = this->P.row(this->F(f, 2));
+    const Vector3d parts(d.dot(b.cross(c)), d.dot(c.cross(a)), d.dot(a.cross(b)));
+    const double sum = this->Outward * parts.sum();
+    const double depth = sum > 0.0 ? this->Outward * parts.minCoeff() / sum : -INFINITY;
+    if (depth > deepest)
+    {
+      deepest = depth;
+      toward = f;
+    }
+  }
+  return toward;
 }
 
 /// Where d meets the plane of triangle f.
@@ -217,10 +248,7 @@ double StarMesh::RadiusAt(int f, const Vector3d& d) const
 
 double StarMesh::RadiusAlong(const Vector3d& d) const
 {
-  const double length = d.norm();
-  FirstHit hit(this->P, this->F, Vector3d::Zero(), d / length, FirstHit::Nothing);
-  hit.Search(*this->Tree);
-  return this->RadiusAt(hit.GetTriangle(), d);
+  return this->RadiusAt(this->TriangleToward(d.normalized()), d);
 }
 
 bool ShapeOptions::operator==(const ShapeOptions& other) const

@@ -36,10 +36,12 @@ public:
   double GetVolume() const { return this->Volume; }
 
 private:
+  int TriangleToward(const Eigen::Vector3d& d) const;
   double RadiusAt(int f, const Eigen::Vector3d& d) const;
 
   Points P; // about the centroid, where the diagonal of the bounds is 1
   Triangles F;
+  double Outward = 1.0; // -1 where the triangles face inward
   std::unique_ptr<TriangleTree> Tree;
   double Area = 0.0;
   double Volume = 0.0;

@@ -255,6 +255,18 @@ void TestMesh()
   CHECK_NEAR(TargetShape(options, NoMoments).RadiusAlong(Vector3d::UnitZ()),
     shape.RadiusAlong(Vector3d::UnitZ()), 1e-12, "inside out");
 
+  // Nearer to the centroid than a search along a ray looks.
+  TriangleMesh leaf = Meshes::Icosphere(3);
+  leaf.P.col(2) *= 1e-7;
+  options.mesh = std::make_shared<StarMesh>(leaf);
+  const TargetShape thin(options, NoMoments);
+  const double size = std::sqrt(4.0 * Pi / TriangleAreas(leaf.P, leaf.F).sum());
+  for (Eigen::Index i = 0; i < leaf.P.rows(); ++i)
+  {
+    const Vector3d x = size * leaf.P.row(i);
+    CHECK_NEAR((thin.Reach(x.normalized()) - x).norm(), 0.0, 1e-6 * x.norm(), "leaf, point " << i);
+  }
+
   const TriangleMesh doll = Meshes::Doll();
   CHECK_THROWS(NotStarShaped, StarMesh{ doll }, "is not seen from");
   TriangleMesh open = mesh;
