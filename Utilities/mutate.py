@@ -197,7 +197,7 @@ def main():
     results = []
     if journal.exists():
         results = [json.loads(line) for line in journal.read_text(encoding="utf-8").splitlines()]
-    done = {(r["file"], r["begin"], r["after"]) for r in results}
+    verdicts = {(r["file"], r["begin"], r["after"]): r["verdict"] for r in results}
 
     changes = [
         (path, change)
@@ -214,12 +214,9 @@ def main():
         if tried >= args.count or (args.seconds and time.monotonic() - begin > args.seconds):
             break
         name = path.relative_to(ROOT).as_posix()
-        if (name, change[0], change[2]) in done:
-            tried += sum(
-                r["verdict"] != "not compiled"
-                for r in results
-                if (r["file"], r["begin"], r["after"]) == (name, change[0], change[2])
-            )
+        known = verdicts.get((name, change[0], change[2]))
+        if known:
+            tried += known != "not compiled"
             continue
         source = path.read_text(encoding="utf-8")
         line = source.count("\n", 0, change[0])
