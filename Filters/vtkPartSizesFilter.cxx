@@ -9,6 +9,7 @@
 #include "vtkFilterSupport.h"
 #include "vtkIdValues.h"
 #include "vtkMovedSurface.h"
+#include "vtkStyleArrays.h"
 #include "vtkSurfaceMeshConversion.h"
 
 #include "vtkDataObject.h"
@@ -68,13 +69,38 @@ std::string Digits(double number, bool up)
 }
 }
 
-/// What the array says, and the sizes.
+/// One for each part.
+struct vtkPartValues
+{
+  Eigen::VectorXd Values;
+  std::vector<bool> Given; // whether a row says so
+
+  bool Any() const
+  {
+    return std::find(this->Given.begin(), this->Given.end(), true) != this->Given.end();
+  }
+  /// What goes along with the head has its value, where it has none of its own.
+  void GiveAlong(const SphericalStyle::Head& head)
+  {
+    for (const int k : head.along)
+    {
+      if (!this->Given[k])
+      {
+        this->Values(k) = this->Values(head.part);
+        this->Given[k] = this->Given[head.part];
+      }
+    }
+  }
+};
+
+/// What the array says, and the rows.
 struct vtkResizedParts
 {
   std::vector<int> OfPoints;      // of each mesh point, a place in the next
   std::vector<vtkIdType> Numbers; // in the array, ascending
-  Eigen::VectorXd Sizes;          // as wanted
-  std::vector<bool> Given;        // whether a size was, for each
+  vtkPartValues Sizes;            // as wanted
+  vtkPartValues Roundness;        // factors
+  vtkPartValues NormalBlends;
 
   int Count() const { return static_cast<int>(this->Numbers.size()); }
   /// Of the part of that number; Count() if there is none.
@@ -126,20 +152,20 @@ void SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
   }
   const SphericalStyle::Head head = SphericalStyle::FindHead(
     sized, P, SphericalStyle::OrientAlike(P, F), parts.OfPoints, parts.Count(), axis, known);
-  for (const int k : head.along)
-  {
-    parts.Sizes(k) = parts.Given[k] ? parts.Sizes(k) : parts.Sizes(head.part);
-  }
+  parts.Sizes.GiveAlong(head);
+  parts.Roundness.GiveAlong(head);
+  parts.NormalBlends.GiveAlong(head);
+  Eigen::VectorXd& sizes = parts.Sizes.Values;
   if (wanted == 0.0)
   {
     return;
   }
   const double factor =
-    SphericalStyle::FactorForHeightRatio(sized, parts.Sizes, parts.OfPoints, head, axis, wanted);
+    SphericalStyle::FactorForHeightRatio(sized, sizes, parts.OfPoints, head, axis, wanted);
   if (factor == 0.0)
   {
     const auto [least, most] =
-      SphericalStyle::HeightRatiosInReach(sized, parts.Sizes, parts.OfPoints, head, axis);
+      SphericalStyle::HeightRatiosInReach(sized, sizes, parts.OfPoints, head, axis);
     const std::string about = "HeadHeight: part " + std::to_string(parts.Numbers[head.part]);
     throw std::invalid_argument(least > 0.0 && std::isfinite(most)
         ? about + " can be made " + Digits(least, true) + " to " + Digits(most, false) +
@@ -147,10 +173,37 @@ void SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
           "; choose another height, or see Head and UpAxis"
         : about + " or the rest has no height along UpAxis; choose another axis, or see Head");
   }
-  parts.Sizes(head.part) *= factor;
+  sizes(head.part) *= factor;
   for (const int k : head.along)
   {
-    parts.Sizes(k) *= factor;
+    sizes(k) *= factor;
+  }
+}
+
+/// The arrays of [styles], where there are rows for them.
+void AddStyles(vtkPolyData* output, const vtkSurfaceMesh& surface, const vtkResizedParts& parts,
+  const SphericalStyle::Fields& shares)
+{
+  const int type = output->GetPoints()->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT;
+  const auto add = [&](const char* name, const vtkSurfaceMeshConversion::Rows& rows)
+  { vtkSurfaceMeshConversion::AddPointArray(output, surface, name, type, rows); };
+  if (parts.Roundness.Any())
+  {
+    add(vtkStyleArrays::PartRoundness, shares * parts.Roundness.Values);
+  }
+  if (parts.NormalBlends.Any())
+  {
+    Eigen::VectorXd given(parts.Count());
+    for (int k = 0; k < parts.Count(); ++k)
+    {
+      given(k) = parts.NormalBlends.Given[k] ? 1.0 : 0.0;
+    }
+    const Eigen::VectorXd weight = (shares * given).cwiseMin(1.0);
+    const Eigen::VectorXd sum = shares * given.cwiseProduct(parts.NormalBlends.Values);
+    vtkSurfaceMeshConversion::Rows rows(weight.size(), 2);
+    rows.col(0) = (weight.array() > 0.0).select(sum.cwiseQuotient(weight), 0.0).cwiseMin(1.0);
+    rows.col(1) = weight;
+    add(vtkStyleArrays::PartNormalBlend, rows);
   }
 }
 }
@@ -162,44 +215,103 @@ vtkPartSizesFilter::vtkPartSizesFilter()
 
 vtkPartSizesFilter::~vtkPartSizesFilter() = default;
 
+void vtkPartSizesFilter::SetRow(Rows& rows, double part, double value)
+{
+  const auto [at, isNew] = rows.Values.emplace(part, value);
+  if (isNew || at->second != value)
+  {
+    at->second = value;
+    this->Modified();
+  }
+  if (rows.Repeated.erase(part) > 0)
+  {
+    this->Modified();
+  }
+}
+
+void vtkPartSizesFilter::AddRow(Rows& rows, double part, double value)
+{
+  const bool isRepeated = rows.Values.count(part) > 0;
+  this->SetRow(rows, part, value);
+  if (isRepeated && rows.Repeated.insert(part).second)
+  {
+    this->Modified();
+  }
+}
+
+double vtkPartSizesFilter::GetRow(const Rows& rows, double part, double otherwise)
+{
+  const auto found = rows.Values.find(part);
+  return found == rows.Values.end() ? otherwise : found->second;
+}
+
+void vtkPartSizesFilter::RemoveRows(Rows& rows)
+{
+  if (!rows.Values.empty())
+  {
+    rows = {};
+    this->Modified();
+  }
+}
+
 void vtkPartSizesFilter::SetPartSize(double part, double size)
 {
-  const auto [at, isNew] = this->Sizes.emplace(part, size);
-  if (isNew || at->second != size)
-  {
-    at->second = size;
-    this->Modified();
-  }
-  if (this->Repeated.erase(part) > 0)
-  {
-    this->Modified();
-  }
+  this->SetRow(this->Sizes, part, size);
 }
 
 void vtkPartSizesFilter::AddPartSize(double part, double size)
 {
-  const bool isRepeated = this->Sizes.count(part) > 0;
-  this->SetPartSize(part, size);
-  if (isRepeated && this->Repeated.insert(part).second)
-  {
-    this->Modified();
-  }
+  this->AddRow(this->Sizes, part, size);
 }
 
 double vtkPartSizesFilter::GetPartSize(double part)
 {
-  const auto found = this->Sizes.find(part);
-  return found == this->Sizes.end() ? 1.0 : found->second;
+  return GetRow(this->Sizes, part, 1.0);
 }
 
 void vtkPartSizesFilter::RemoveAllPartSizes()
 {
-  if (!this->Sizes.empty())
-  {
-    this->Sizes.clear();
-    this->Repeated.clear();
-    this->Modified();
-  }
+  this->RemoveRows(this->Sizes);
+}
+
+void vtkPartSizesFilter::SetPartRoundness(double part, double factor)
+{
+  this->SetRow(this->Roundness, part, factor);
+}
+
+void vtkPartSizesFilter::AddPartRoundness(double part, double factor)
+{
+  this->AddRow(this->Roundness, part, factor);
+}
+
+double vtkPartSizesFilter::GetPartRoundness(double part)
+{
+  return GetRow(this->Roundness, part, 1.0);
+}
+
+void vtkPartSizesFilter::RemoveAllPartRoundness()
+{
+  this->RemoveRows(this->Roundness);
+}
+
+void vtkPartSizesFilter::SetPartNormalBlend(double part, double blend)
+{
+  this->SetRow(this->NormalBlends, part, blend);
+}
+
+void vtkPartSizesFilter::AddPartNormalBlend(double part, double blend)
+{
+  this->AddRow(this->NormalBlends, part, blend);
+}
+
+double vtkPartSizesFilter::GetPartNormalBlend(double part)
+{
+  return GetRow(this->NormalBlends, part, -1.0);
+}
+
+void vtkPartSizesFilter::RemoveAllPartNormalBlend()
+{
+  this->RemoveRows(this->NormalBlends);
 }
 
 int vtkPartSizesFilter::FillOutputPortInformation(int port, vtkInformation* info)
@@ -234,6 +346,7 @@ int vtkPartSizesFilter::Execute(
   Warn(this, Conversion::FannedRemark(surface));
   Warn(this, Conversion::SkippedRemark(surface));
   Points Q = surface.Mesh.P;
+  SphericalStyle::Fields shares;
   if (surface.Mesh.F.rows() > 0)
   {
     const SphericalStyle::Frame frame = SphericalStyle::FrameOf(surface.Mesh.P);
@@ -248,13 +361,15 @@ int vtkPartSizesFilter::Execute(
     {
       return 1; // nothing comes out, as everywhere in VTK
     }
-    if (this->HeadHeight > 0.0 || !this->Sizes.empty())
+    if (this->HeadHeight > 0.0 || !this->Sizes.Values.empty() || !this->Roundness.Values.empty() ||
+      !this->NormalBlends.Values.empty())
     {
       SizeHead(sized, P, surface.Mesh.F, this->Head, this->UpAxis, this->HeadHeight, parts);
     }
-    if ((parts.Sizes.array() != 1.0).any()) // else to the bit
+    shares = sized.GetShares();
+    if ((parts.Sizes.Values.array() != 1.0).any()) // else to the bit
     {
-      Points moved = sized.Sized(parts.Sizes);
+      Points moved = sized.Sized(parts.Sizes.Values);
       SphericalStyle::SizeOptions place;
       place.up = Eigen::Vector3d::Unit(this->UpAxis);
       place.keepOnGround = this->KeepOnGround;
@@ -267,6 +382,10 @@ int vtkPartSizesFilter::Execute(
   output->ShallowCopy(input);
   vtkMovedSurface::Fill(this, output, surface, Q);
   Conversion::AddDisplacement(output, input);
+  if (shares.rows() > 0)
+  {
+    AddStyles(output, surface, parts, shares);
+  }
 
   vtkTable* table = vtkTable::GetData(outputVector, 1);
   table->Initialize(); // an observer of progress may have asked for an update, which filled it
@@ -277,7 +396,7 @@ int vtkPartSizesFilter::Execute(
   for (int k = 0; k < parts.Count(); ++k)
   {
     number->InsertNextValue(parts.Numbers[k]);
-    size->InsertNextValue(parts.Sizes(k));
+    size->InsertNextValue(parts.Sizes.Values(k));
     before->InsertNextValue(heights[k]);
     after->InsertNextValue(newHeights[k]);
   }
@@ -290,10 +409,20 @@ int vtkPartSizesFilter::Execute(
 
 void vtkPartSizesFilter::CheckProperties() const
 {
-  for (const auto& [part, size] : this->Sizes)
+  for (const auto& [part, size] : this->Sizes.Values)
   {
     Require(
       size > 0.0 && std::isfinite(size), ("Size of part " + Text(part)).c_str(), "above 0", size);
+  }
+  for (const auto& [part, factor] : this->Roundness.Values)
+  {
+    Require(factor >= 0.0 && std::isfinite(factor), ("Roundness of part " + Text(part)).c_str(),
+      "0 or more", factor);
+  }
+  for (const auto& [part, blend] : this->NormalBlends.Values)
+  {
+    Require(blend >= 0.0 && blend <= 1.0, ("NormalBlend of part " + Text(part)).c_str(), "in 0..1",
+      blend);
   }
   Require(this->HeadHeight >= 0.0 && std::isfinite(this->HeadHeight), "HeadHeight", "0 or more",
     this->HeadHeight);
@@ -325,40 +454,55 @@ vtkResizedParts vtkPartSizesFilter::TakeParts(vtkPolyData* input, const vtkSurfa
     throw std::invalid_argument(given.GetName() + " has " + std::to_string(parts.Numbers.size()) +
       " different values; there can be " + std::to_string(MaximumNumberOfParts) + " parts");
   }
-  parts.Sizes = Eigen::VectorXd::Ones(parts.Count());
-  parts.Given.resize(parts.Numbers.size());
-  for (const auto& [part, size] : this->Sizes)
+  this->TakeRows(this->Sizes, "size", parts, parts.Sizes);
+  this->TakeRows(this->Roundness, "roundness", parts, parts.Roundness);
+  this->TakeRows(this->NormalBlends, "blend", parts, parts.NormalBlends);
+  return parts;
+}
+
+/// @param name  of the values, for messages
+void vtkPartSizesFilter::TakeRows(
+  const Rows& rows, const char* name, const vtkResizedParts& parts, vtkPartValues& values)
+{
+  values.Values = Eigen::VectorXd::Ones(parts.Count());
+  values.Given.resize(parts.Numbers.size());
+  for (const auto& [part, value] : rows.Values)
   {
     const int at = parts.Find(part);
     if (at < parts.Count())
     {
-      parts.Sizes(at) = size;
-      parts.Given[at] = true;
+      values.Values(at) = value;
+      values.Given[at] = true;
     }
     else if (parts.Count() > 0)
     {
       Warn(this,
-        "There is no part " + Text(part) + " to be resized; there are " + List(parts.Numbers));
+        "There is no part " + Text(part) + " to be given a " + name + "; there are " +
+          List(parts.Numbers));
     }
   }
-  for (const double part : this->Repeated)
+  for (const double part : rows.Repeated)
   {
     Warn(this,
-      "Part " + Text(part) +
-        " has several sizes; the last one counts: " + Text(this->Sizes.at(part)));
+      "Part " + Text(part) + " has more than one " + name +
+        "; the last one counts: " + Text(rows.Values.at(part)));
   }
-  return parts;
 }
 
 void vtkPartSizesFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "PartSizes:";
-  for (const auto& [part, size] : this->Sizes)
+  for (const auto& [name, rows] :
+    { std::make_pair("PartSizes", &this->Sizes), std::make_pair("PartRoundness", &this->Roundness),
+      std::make_pair("PartNormalBlend", &this->NormalBlends) })
   {
-    os << " " << part << ": " << size;
+    os << indent << name << ":";
+    for (const auto& [part, value] : rows->Values)
+    {
+      os << " " << part << ": " << value;
+    }
+    os << "\n";
   }
-  os << "\n";
   os << indent << "BlendWidth: " << this->BlendWidth << "\n";
   os << indent << "HeadHeight: " << this->HeadHeight << "\n";
   os << indent << "Head: " << this->Head << "\n";

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPartSizesFilter
- * @brief   give each part of a surface a size of its own: a large head, small hands
+ * @brief   give each part of a surface a size and a roundness of its own: a large head, small hands
  *
  * Parts are what an array of points says, such as PartId of vtkSurfacePartsFilter. Each part k is
  * scaled by its size s_k where it is, and moved so that it meets its neighbors at their joints: a
@@ -15,6 +15,10 @@
  * tree; the largest part stays in place. All of it is in closed form. It can be used before
  * vtkSphericalStyleFilter or after it, which passes the array on.
  *
+ * Used before it, it can also say how that filter rounds each part: omega_k blends values that are
+ * given for parts into arrays of points which vtkSphericalStyleFilter takes by their names
+ * [styles].
+ *
  * Input port 0: vtkPolyData. Triangles, quads, polygons and strips take part; lines, vertices and
  * points of no face are carried along unmoved. Defects do not matter, as parts pass into each other
  * on a grid that does not know the triangles. A surface that is spread over processes is gathered
@@ -26,12 +30,14 @@
  *
  * Output port 0: vtkPolyData with the cells, point order and every array of the input, the point
  * array Displacement (3; output minus input point, model length), and normals, recomputed if the
- * input had some or GenerateNormals is on.
+ * input had some or GenerateNormals is on. With rows of PartRoundness the point array PartRoundness
+ * (1; a factor), with rows of PartNormalBlend the point array PartNormalBlend (2; a value, and its
+ * weight against the NormalBlend of the filter that takes it, both 0..1).
  *
  * Output port 1: vtkTable, one row per part: Part (its number in the array), Size, and its extent
  * along UpAxis before and after, HeightBefore and Height (model length).
  *
- * Warnings name sizes of parts that do not occur, and parts with several. The bracketed labels are
+ * Warnings name rows of parts that do not occur, and parts with several. The bracketed labels are
  * those of Filters/Documentation/PartSizes.md.
  *
  * Cost: a pass over the triangles, a factor of some thousand functions of a grid, and a few passes
@@ -50,6 +56,7 @@
 #include <set> // for std::set
 
 class vtkPolyData;
+struct vtkPartValues;
 struct vtkResizedParts;
 struct vtkSurfaceMesh;
 
@@ -81,6 +88,31 @@ public:
   void AddPartSize(double part, double size);
   double GetPartSize(double part);
   void RemoveAllPartSizes();
+  ///@}
+
+  ///@{
+  /**
+   * How far a part is rounded, as a multiple of the Roundness of vtkSphericalStyleFilter: 0 keeps
+   * the part as it is, 3 makes it rounder than the rest. No unit, not below 0. Parts without a row
+   * have 1, but what hangs on the head alone goes along with it. Else as for PartSize.
+   */
+  void SetPartRoundness(double part, double factor);
+  void AddPartRoundness(double part, double factor);
+  double GetPartRoundness(double part);
+  void RemoveAllPartRoundness();
+  ///@}
+
+  ///@{
+  /**
+   * What becomes round of a part, in place of the NormalBlend of vtkSphericalStyleFilter. 0: the
+   * part is drawn toward the one ball of the model; 1: it becomes round by its own thickness. No
+   * unit, 0..1. Parts without a row have the filter's, and GetPartNormalBlend is -1, but what hangs
+   * on the head alone goes along with it. Else as for PartSize.
+   */
+  void SetPartNormalBlend(double part, double blend);
+  void AddPartNormalBlend(double part, double blend);
+  double GetPartNormalBlend(double part);
+  void RemoveAllPartNormalBlend();
   ///@}
 
   ///@{
@@ -152,8 +184,22 @@ private:
   void CheckProperties() const;
   vtkResizedParts TakeParts(vtkPolyData* input, const vtkSurfaceMesh& surface);
 
-  std::map<double, double> Sizes; // that are set
-  std::set<double> Repeated;      // parts that were added more than once
+  /// Of a table: parts, and what is set for them.
+  struct Rows
+  {
+    std::map<double, double> Values;
+    std::set<double> Repeated; // parts that were added more than once
+  };
+  void SetRow(Rows& rows, double part, double value);
+  void AddRow(Rows& rows, double part, double value);
+  void RemoveRows(Rows& rows);
+  static double GetRow(const Rows& rows, double part, double otherwise);
+  void TakeRows(
+    const Rows& rows, const char* name, const vtkResizedParts& parts, vtkPartValues& values);
+
+  Rows Sizes;
+  Rows Roundness;
+  Rows NormalBlends;
   double BlendWidth = 0.05;
   double HeadHeight = 0.0;
   int Head = -1;

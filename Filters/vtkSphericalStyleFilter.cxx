@@ -241,12 +241,6 @@ int vtkSphericalStyleFilter::RequestWholeData(
     [this] { this->ReleaseCache(); });
 }
 
-bool vtkSphericalStyleFilter::AsksFor(int array)
-{
-  const char* name = this->GetInputArrayInformation(array)->Get(vtkDataObject::FIELD_NAME());
-  return name && *name && std::string(name) != "None";
-}
-
 bool vtkSphericalStyleFilter::WorksOnParts(
   vtkInformationVector** inputVector, const vtkProcesses& processes)
 {
@@ -262,7 +256,8 @@ bool vtkSphericalStyleFilter::WorksOnParts(
     o.anchor == SphericalStyle::Anchor::LastPoint || this->ReproduceThesis ||
     this->AvoidSelfIntersections || !this->WeldCoincidentPoints || this->Symmetry != NO_SYMMETRY ||
     this->Target == TARGET_MESH || this->RefineLongEdges == vtkLongEdges::ALWAYS ||
-    this->AsksFor(vtkStyleArrays::REGION_MASK) || this->AsksFor(vtkStyleArrays::CENTER_ID) ||
+    vtkStyleArrays::IsChosen(this, vtkStyleArrays::REGION_MASK) ||
+    vtkStyleArrays::IsChosen(this, vtkStyleArrays::CENTER_ID) ||
     vtkSelection::GetData(inputVector[SELECTION], 0) ||
     vtkPolyData::GetData(inputVector[REST_POSE], 0);
   // What differs between two processes counts as on the first one, which gathering leads to.
@@ -380,13 +375,17 @@ bool vtkSphericalStyleFilter::CanPreview(
   }
   const SphericalStyle::MethodOptions o = this->MakeOptions();
   const bool givenNormals =
-    this->AsksFor(vtkStyleArrays::NORMALS) || input->GetPointData()->GetNormals();
+    vtkStyleArrays::IsChosen(this, vtkStyleArrays::NORMALS) || input->GetPointData()->GetNormals();
   bool asksForArrays = false;
   for (const int array :
     { vtkStyleArrays::ROUNDNESS_FACTOR, vtkStyleArrays::NORMAL_BLEND,
       vtkStyleArrays::TARGET_DIRECTIONS, vtkStyleArrays::REGION_MASK, vtkStyleArrays::CENTER_ID })
   {
-    asksForArrays |= this->AsksFor(array);
+    asksForArrays |= vtkStyleArrays::IsChosen(this, array);
+  }
+  for (const char* array : { vtkStyleArrays::PartRoundness, vtkStyleArrays::PartNormalBlend })
+  {
+    asksForArrays |= input->GetPointData()->HasArray(array) != 0;
   }
   return SphericalStyle::IsClosedForm(o) && o.anchor == SphericalStyle::Anchor::Centroid &&
     !this->ReproduceThesis && !this->AvoidSelfIntersections && this->WeldCoincidentPoints &&
@@ -810,7 +809,7 @@ void vtkSphericalStyleFilter::Review(Internals& internal, const Execution& e)
 {
   for (const std::string& warning : vtkStyleReview::Warnings(e.Surface(), e.Options, e.Report,
          { this->ReproduceThesis, this->GenerateCellEnergy,
-           vtkStyleArrays::TakesActiveNormals(this) }))
+           !vtkStyleArrays::IsChosen(this, vtkStyleArrays::NORMALS) }))
   {
     Warn(this, e.IsFirst() ? warning : "");
   }

@@ -34,8 +34,11 @@
  * Input arrays to process, all optional, all of point data:
  *  - 0: normals, 3 components, used where NormalBlend > 0 with DetailSize 0 (default: the active
  *       normals, or computed ones; with DetailSize > 0 the base has normals of its own);
- *  - 1: roundness factor, 1 component, >= 0: the Roundness of a point is Roundness times it;
- *  - 2: normal blend, 1 component, 0..1: replaces NormalBlend point by point;
+ *  - 1: roundness factor, 1 component, >= 0: the Roundness of a point is Roundness times it
+ *       (default: the array PartRoundness of vtkPartSizesFilter, where there is one);
+ *  - 2: normal blend, 1 component, 0..1: replaces NormalBlend point by point (default: the array
+ *       PartNormalBlend of vtkPartSizesFilter, 2 components: a value, and its weight against
+ *       NormalBlend);
  *  - 3: target directions, 3 components, replace t (length 1 means radius r);
  *  - 4: region, 1 component: points where it is 0 keep their bits. With a selection too, a point
  *       must be in both;
@@ -668,7 +671,6 @@ private:
     const Internals& internal, const Execution& execution, vtkPolyData* output) const;
   void SetFacts(const Execution& execution);
   void Review(Internals& internal, const Execution& execution);
-  bool AsksFor(int array);
 
   // A preview.
   void KeepBasis(Internals& internal, const Execution& execution, vtkPolyData* input) const;

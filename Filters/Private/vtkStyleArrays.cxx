@@ -19,10 +19,12 @@ namespace
 {
 constexpr Conversion::ArrayRule Rules[] = {
   // from ROUNDNESS_FACTOR on
-  { "Roundness factor", 1, 0.0, Conversion::Infinity },
+  { "Roundness factor", 1, 0.0, Conversion::Infinity, -1, vtkStyleArrays::PartRoundness },
   { "Normal blend", 1, 0.0, 1.0 },
   { "Target directions", 3, -Conversion::Infinity, Conversion::Infinity },
 };
+constexpr Conversion::ArrayRule BlendOfParts = { "Normal blend", 2, 0.0, 1.0, -1,
+  vtkStyleArrays::PartNormalBlend };
 }
 
 namespace vtkStyleArrays
@@ -38,10 +40,10 @@ void SetDefaults(vtkAlgorithm* self)
   }
 }
 
-bool TakesActiveNormals(vtkAlgorithm* self)
+bool IsChosen(vtkAlgorithm* self, int array)
 {
-  const char* name = self->GetInputArrayInformation(NORMALS)->Get(vtkDataObject::FIELD_NAME());
-  return !name || !*name || std::string(name) == "None";
+  const char* name = self->GetInputArrayInformation(array)->Get(vtkDataObject::FIELD_NAME());
+  return name && *name && std::string(name) != "None";
 }
 
 void Read(vtkAlgorithm* self, const vtkSurfaceMesh& surface, vtkPolyData* model,
@@ -54,6 +56,13 @@ void Read(vtkAlgorithm* self, const vtkSurfaceMesh& surface, vtkPolyData* model,
   };
   o.roundnessFactors = gather(ROUNDNESS_FACTOR).col(0);
   o.normalBlends = gather(NORMAL_BLEND).col(0);
+  if (!IsChosen(self, NORMAL_BLEND))
+  {
+    const SphericalStyle::Points ofParts = Conversion::GatherPointArray(
+      self->GetInputArrayInformation(NORMAL_BLEND), model, surface, BlendOfParts);
+    const auto weight = ofParts.col(1).array();
+    o.normalBlends = weight * ofParts.col(0).array() + (1.0 - weight) * o.normalBlend;
+  }
   o.targets = gather(TARGET_DIRECTIONS);
   const bool useNormals =
     o.normalBlend > 0.0 || (o.normalBlends.size() > 0 && o.normalBlends.maxCoeff() > 0.0);

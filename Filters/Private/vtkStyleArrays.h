@@ -32,10 +32,15 @@ enum InputArrays
 /// For constructors: the active normals, and no other array.
 void SetDefaults(vtkAlgorithm* self);
 
-/// Whether normals are those of the model and not of an array that was chosen.
-bool TakesActiveNormals(vtkAlgorithm* self);
+/// The arrays of vtkPartSizesFilter that are taken where none is chosen.
+constexpr const char* PartRoundness = "PartRoundness";
+constexpr const char* PartNormalBlend = "PartNormalBlend";
 
-/// One row per point of the solve and array into the options, no row where no array was chosen.
+/// Whether an array was chosen by its name.
+bool IsChosen(vtkAlgorithm* self, int array);
+
+/// One row per point of the solve and array into the options, no row where no array was chosen and
+/// none of parts is there.
 /// Normals are read only where the blend of some point needs them.
 /// @param o  with the properties of the filter set @param centers  or nullptr
 /// @throw std::invalid_argument naming purpose, array and the first offending point or id

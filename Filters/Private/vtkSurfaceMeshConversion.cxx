@@ -1288,6 +1288,10 @@ Points GatherPointArray(
   const bool hasNothing = !surface.Part.IsWhole() && surface.MeshPoint.empty();
   vtkDataArray* array =
     hasNothing ? nullptr : FindPointArray(wanted, input, rule.Purpose, rule.Attribute);
+  if (!hasNothing && !array && rule.Name)
+  {
+    array = input->GetPointData()->GetArray(rule.Name);
+  }
   if (!surface.IsEverywhere(array))
   {
     return {};

@@ -178,7 +178,8 @@ struct ArrayRule
   int Components;
   double Minimum;
   double Maximum;
-  int Attribute = -1; ///< active attribute to take where no array is named, -1 for none
+  int Attribute = -1;         ///< active attribute to take where no array is named, -1 for none
+  const char* Name = nullptr; ///< array to take where none is named, if it is there
 };
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();

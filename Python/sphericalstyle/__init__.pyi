@@ -63,6 +63,9 @@ def round(
     centers: Optional[_Array] = ...,
     rest_pose: Any = ...,
     target_mesh: Any = ...,
+    parts: Optional[_Array] = ...,
+    part_roundness: Optional[Mapping[int, float]] = ...,
+    part_normal_blend: Optional[Mapping[int, float]] = ...,
 ) -> _Mesh: ...
 def read(path: Union[str, os.PathLike[str]]) -> vtkPolyData: ...
 def write(path: Union[str, os.PathLike[str]], mesh: Any) -> None: ...

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Larger heads and smaller hands with one call: sphericalstyle.resize."""
+"""Larger heads and smaller hands with one call: sphericalstyle.resize. Rounder ones: round() with part_roundness."""
 import collections.abc
 import numbers
 
@@ -10,16 +10,47 @@ from .surface_parts import parts as find_parts
 from .SphericalStyleFilters import vtkPartSizesFilter
 
 
-def _rows(sizes):
-    """@raise TypeError for what is no dict of whole numbers and sizes"""
-    if not isinstance(sizes, collections.abc.Mapping):
-        raise TypeError(f"sizes must be a dict of parts and their sizes, such as {{0: 1.3}}, not {sizes!r}")
-    for part, size in sizes.items():
+def _rows(values, keyword, example="{0: 1.3}"):
+    """@raise TypeError for what is no dict of whole numbers and numbers"""
+    if values is None:
+        return ()
+    if not isinstance(values, collections.abc.Mapping):
+        raise TypeError(f"{keyword} must be a dict of parts and numbers, such as {example}, not {values!r}")
+    for part, value in values.items():
         if not isinstance(part, numbers.Integral) or isinstance(part, bool):
-            raise TypeError(f"sizes: parts are whole numbers, as sphericalstyle.parts gives them, not {part!r}")
-        if not isinstance(size, numbers.Real):
-            raise TypeError(f"sizes: the size of part {part} must be a number, not {size!r}")
-    return sizes.items()
+            raise TypeError(f"{keyword}: parts are whole numbers, as sphericalstyle.parts gives them, not {part!r}")
+        if not isinstance(value, numbers.Real):
+            raise TypeError(f"{keyword}: the value of part {part} must be a number, not {value!r}")
+    return values.items()
+
+
+def _prepare(surface, parts):
+    """A filter and its input: the surface with an array of the parts, whose name comes last."""
+    copy = surface.NewInstance()
+    copy.ShallowCopy(surface)
+    ids = meshes.array_of(find_parts(surface) if parts is None else parts, "parts")
+    if ids.GetNumberOfTuples() != surface.GetNumberOfPoints():
+        raise ValueError(f"parts has {ids.GetNumberOfTuples()} values for {surface.GetNumberOfPoints()} points")
+    name = "parts of sphericalstyle"
+    ids.SetName(name)
+    copy.GetPointData().AddArray(ids)
+    filter_ = vtkPartSizesFilter()
+    filter_.SetInputArrayToProcess(0, 0, 0, 0, name)
+    return filter_, copy, name
+
+
+def style_arrays(surface, parts, roundness, normal_blend):
+    """The arrays with which vtkSphericalStyleFilter rounds parts of a vtkPolyData in another way. What round() does
+    with part_roundness and part_normal_blend."""
+    rows = _rows(roundness, "part_roundness", "{0: 2.0}"), _rows(normal_blend, "part_normal_blend", "{0: 0.5}")
+    filter_, copy, _ = _prepare(surface, parts)
+    for part, value in rows[0]:
+        filter_.SetPartRoundness(part, value)
+    for part, value in rows[1]:
+        filter_.SetPartNormalBlend(part, value)
+    execute(filter_, copy)
+    made = filter_.GetOutput().GetPointData()
+    return [made.GetArray(name) for name, given in zip(("PartRoundness", "PartNormalBlend"), rows) if given]
 
 
 def resize(mesh, sizes=None, *, parts=None, head_height=0.0, head=-1, up_axis="Y", blend_width=0.05,
@@ -43,7 +74,7 @@ def resize(mesh, sizes=None, *, parts=None, head_height=0.0, head=-1, up_axis="Y
     lowest point stays at its height.
 
     Raises sphericalstyle.Error with the filter's message if the mesh cannot be used, ValueError for parts of another
-    length, TypeError for sizes that are no dict of whole numbers and sizes.
+    length, TypeError for sizes that are no dict of whole numbers and numbers.
 
     A snowman with a large head:
 
@@ -64,20 +95,9 @@ def resize(mesh, sizes=None, *, parts=None, head_height=0.0, head=-1, up_axis="Y
     >>> bool(toy.GetLength() > snowman.GetOutput().GetLength())
     True
     """
-    rows = _rows({} if sizes is None else sizes)
+    rows = _rows(sizes, "sizes")
     surface, back = meshes.take(mesh, "resize")
-    copy = surface.NewInstance()
-    copy.ShallowCopy(surface)
-    if parts is None:
-        parts = find_parts(surface)
-    ids = meshes.array_of(parts, "parts")
-    if ids.GetNumberOfTuples() != surface.GetNumberOfPoints():
-        raise ValueError(f"parts has {ids.GetNumberOfTuples()} values for {surface.GetNumberOfPoints()} points")
-    name = "parts of resize()"
-    ids.SetName(name)
-    copy.GetPointData().AddArray(ids)
-    filter_ = vtkPartSizesFilter()
-    filter_.SetInputArrayToProcess(0, 0, 0, 0, name)
+    filter_, copy, name = _prepare(surface, parts)
     for part, size in rows:
         filter_.SetPartSize(part, size)
     filter_.SetHeadHeight(head_height)

@@ -8,7 +8,7 @@ import sys
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
 
-from . import meshes, presets
+from . import meshes, part_sizes, presets
 from .messages import Error, Messages
 from .properties import closest, properties
 from .SphericalStyleFilters import vtkSphericalStyleFilter
@@ -17,6 +17,8 @@ from .SphericalStyleFilters import vtkSphericalStyleFilter
 ARRAYS = {"normals": 0, "roundness_factor": 1, "normal_blend": 2, "target_directions": 3, "region": 4, "center_id": 5}
 #: Keywords for what comes in at a further port.
 MESHES = ("centers", "rest_pose", "target_mesh")
+#: Keywords for values of each part.
+PARTS = ("parts", "part_roundness", "part_normal_blend")
 
 
 def round(mesh, *, preset=None, **properties):  # noqa: A001, it is used as sphericalstyle.round
@@ -35,6 +37,9 @@ def round(mesh, *, preset=None, **properties):  # noqa: A001, it is used as sphe
     center and radius set center_mode and radius_mode to "Custom", unless these are given too. rest_pose is a mesh with
     the same points and faces in another pose, from which details, thickness and radius are taken. target_mesh is a
     closed mesh that the model is drawn toward; it sets target to "Mesh", unless that is given too.
+
+    part_roundness and part_normal_blend are dicts of parts and values that these have in place of the rest: part_roundness
+    is a factor of roundness. parts is the part of each point, as sphericalstyle.parts gives it, which is called by default.
 
     Coarse flat panels are split first, so the result can have more points and faces than the mesh; its first points
     are those of the mesh. With refine_long_edges="Off" it always has the same.
@@ -112,8 +117,8 @@ def make(preset=None, **keywords):
     """A vtkSphericalStyleFilter with the preset and these properties, without a mesh."""
     known = properties()
     for keyword in keywords:
-        if keyword not in known and keyword not in ARRAYS and keyword not in MESHES:
-            names = [*known, *ARRAYS, *MESHES, "preset"]
+        if keyword not in known and keyword not in ARRAYS and keyword not in MESHES + PARTS:
+            names = [*known, *ARRAYS, *MESHES, *PARTS, "preset"]
             raise TypeError(f"round() has no keyword '{keyword}'{closest(keyword, names)}")
     style = vtkSphericalStyleFilter()
     if preset is not None:
@@ -150,6 +155,17 @@ def add_arrays(style, surface, keywords):
     if keywords.get("target_mesh") is not None:
         style.SetTargetMeshData(meshes.take(keywords["target_mesh"], "target_mesh")[0])
     added = []
+    if "part_roundness" in keywords or "part_normal_blend" in keywords:
+        if not isinstance(surface, vtkPolyData):
+            raise TypeError(f"part_roundness and part_normal_blend are for surfaces, not for a {type(surface).__name__}")
+        copy = vtkPolyData()
+        copy.ShallowCopy(surface)
+        for array in part_sizes.style_arrays(surface, *(keywords.get(keyword) for keyword in PARTS)):
+            added += [] if copy.GetPointData().HasArray(array.GetName()) else [array.GetName()]
+            copy.GetPointData().AddArray(array)
+        surface = copy
+    elif "parts" in keywords:
+        raise TypeError("parts needs part_roundness or part_normal_blend: what is to be different for a part")
     for keyword, value in arrays.items():
         name = value
         if not isinstance(value, str):
@@ -188,7 +204,7 @@ def _describe():
     known = properties()
     keywords = [inspect.Parameter(keyword, inspect.Parameter.KEYWORD_ONLY, default=default) for keyword, default in
                 [("preset", None), *((keyword, known[keyword].default) for keyword in known),
-                 *((keyword, None) for keyword in [*ARRAYS, *MESHES] if keyword not in known)]]
+                 *((keyword, None) for keyword in [*ARRAYS, *MESHES, *PARTS] if keyword not in known)]]
     mesh = inspect.Parameter("mesh", inspect.Parameter.POSITIONAL_ONLY)
     round.__signature__ = inspect.Signature([mesh, *keywords])
 

@@ -5,12 +5,14 @@
 #include "ArrayTesting.h"
 #include "PropertyTesting.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 #include "vtkPartSizesFilter.h"
 #include "vtkSphericalStyleFilter.h"
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -21,6 +23,18 @@ namespace
 constexpr int Body = 7; // the numbers in the array
 constexpr int HeadPart = 3;
 constexpr int Ear = 9;
+
+bool Near(double a, double b)
+{
+  return std::abs(a - b) < 0.05;
+}
+
+Surface Copied(vtkPolyData* surface)
+{
+  Surface copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(surface);
+  return copy;
+}
 
 class Sizes : public Watched<vtkPartSizesFilter>
 {
@@ -376,7 +390,7 @@ void Refused(Checker& check)
   Sizes sizes(snowman);
   sizes->SetPartSize(5, 2.0);
   check(SamePoints(sizes.Output(), snowman) && sizes.Warnings.size() == 1 &&
-      Contains(sizes.Warnings[0], "no part 5 to be resized; there are 3, 7"),
+      Contains(sizes.Warnings[0], "no part 5 to be given a size; there are 3, 7"),
     "a warning should say so" + Joined(sizes.Warnings));
 }
 
@@ -396,7 +410,7 @@ void Rows(Checker& check)
     sizes->Modified();
     check(sizes.Entry(0, "Size") == 1.5 && sizes.Entry(1, "Size") == 0.5 &&
         sizes.Warnings.size() == 1 &&
-        Contains(sizes.Warnings[0], "Part 3 has several sizes; the last one counts: 1.5"),
+        Contains(sizes.Warnings[0], "Part 3 has more than one size; the last one counts: 1.5"),
       "the last one should count, and a warning say so" + Joined(sizes.Warnings));
   }
   sizes.Warnings.clear();
@@ -405,6 +419,106 @@ void Rows(Checker& check)
   sizes->SetPartSize(HeadPart, 1.2);
   check(sizes.Entry(0, "Size") == 1.2 && sizes.Warnings.empty(),
     "a size that is set anew is no second one" + Joined(sizes.Warnings));
+}
+
+/// How parts are to be rounded, as arrays that vtkSphericalStyleFilter takes by their names.
+void Styles(Checker& check)
+{
+  check.About("styles of parts");
+  constexpr int RoundnessFactor = 1;
+  constexpr int NormalBlend = 2;
+  const Surface all = WithEar();
+  Sizes parts(all);
+  check(!parts.Output()->GetPointData()->HasArray("PartRoundness") &&
+      !parts.Output()->GetPointData()->HasArray("PartNormalBlend"),
+    "no row, no array");
+  parts->SetPartRoundness(HeadPart, 0.0);
+  parts->SetPartNormalBlend(HeadPart, 0.25);
+  check(parts->GetPartRoundness(HeadPart) == 0.0 && parts->GetPartRoundness(Body) == 1.0 &&
+      parts->GetPartNormalBlend(HeadPart) == 0.25 && parts->GetPartNormalBlend(Body) == -1.0,
+    "rows and what there is without");
+  const Surface styled = Copied(parts.Output());
+  check(SamePoints(styled, all), "points stay");
+  vtkDataArray* roundness = styled->GetPointData()->GetArray("PartRoundness");
+  vtkDataArray* blend = styled->GetPointData()->GetArray("PartNormalBlend");
+  const double* range = roundness->GetRange();
+  check(Near(range[0], 0.0) && Near(range[1], 1.0), "factors of 0 to 1");
+  for (vtkIdType i = 0; i < all->GetNumberOfPoints(); ++i)
+  {
+    const double y = all->GetPoint(i)[1];
+    if (y < 0.0 || y > 1.6) // the head's ear goes along
+    {
+      const bool isHead = y > 1.0;
+      check(Near(roundness->GetTuple1(i), isHead ? 0.0 : 1.0) &&
+          Near(blend->GetComponent(i, 1), isHead ? 1.0 : 0.0) &&
+          (!isHead || std::abs(blend->GetComponent(i, 0) - 0.25) < 1e-6),
+        "values of point " + std::to_string(i));
+    }
+  }
+
+  // The filter takes them, as if they had been chosen; what is chosen comes first.
+  const auto rounded = [](vtkPolyData* input, bool choose, bool preview)
+  {
+    Watched<vtkSphericalStyleFilter> filter;
+    filter->SetInputData(input);
+    filter->SetNormalBlend(0.7);
+    filter->SetPreview(preview);
+    if (choose)
+    {
+      filter->SetInputArrayToProcess(RoundnessFactor, 0, 0, 0, "Factor");
+      filter->SetInputArrayToProcess(NormalBlend, 0, 0, 0, "Blend");
+    }
+    filter->Update();
+    return Copied(filter.Output());
+  };
+  const Surface chosen = Copied(all);
+  vtkNew<vtkDoubleArray> factor, own;
+  factor->SetName("Factor");
+  own->SetName("Blend");
+  for (vtkIdType i = 0; i < all->GetNumberOfPoints(); ++i)
+  {
+    const double w = blend->GetComponent(i, 1);
+    factor->InsertNextValue(roundness->GetTuple1(i));
+    own->InsertNextValue(w * blend->GetComponent(i, 0) + (1.0 - w) * 0.7);
+  }
+  chosen->GetPointData()->AddArray(factor);
+  chosen->GetPointData()->AddArray(own);
+  const Surface byName = rounded(styled, false, false);
+  check(SamePoints(byName, rounded(chosen, true, false)), "taken by their names");
+  check(!SamePoints(byName, rounded(all, false, false)), "they matter");
+  check(SamePoints(byName, rounded(styled, false, true)), "a preview is the full result");
+  const Surface both = Copied(styled);
+  both->GetPointData()->AddArray(factor);
+  for (vtkIdType i = 0; i < factor->GetNumberOfTuples(); ++i)
+  {
+    factor->SetValue(i, 1.0);
+    own->SetValue(i, 0.7);
+  }
+  both->GetPointData()->AddArray(own);
+  check(SamePoints(rounded(both, true, false), rounded(chosen, true, false)), "chosen ones first");
+
+  check.About("bad styles of parts");
+  Sizes bad(all);
+  bad->SetPartRoundness(HeadPart, -1.0);
+  bad.Output();
+  check(bad.Errors.size() == 1 && Contains(bad.Errors[0], "Roundness of part 3 must be 0 or more"),
+    "an error says so" + Joined(bad.Errors));
+  bad->RemoveAllPartRoundness();
+  bad->AddPartNormalBlend(Body, 1.5);
+  bad.Errors.clear();
+  bad.Output();
+  check(bad.Errors.size() == 1 && Contains(bad.Errors[0], "NormalBlend of part 7 must be in 0..1"),
+    "an error says so" + Joined(bad.Errors));
+  bad->RemoveAllPartNormalBlend();
+  bad->AddPartRoundness(Body, 2.0);
+  bad->AddPartRoundness(Body, 3.0);
+  bad->AddPartNormalBlend(4, 0.5);
+  bad.Errors.clear();
+  bad.Output();
+  check(bad.Errors.empty() && bad.Warnings.size() == 2 &&
+      Contains(bad.Warnings[0], "Part 7 has more than one roundness; the last one counts: 3") &&
+      Contains(bad.Warnings[1], "no part 4 to be given a blend"),
+    "warnings say so" + Joined(bad.Warnings));
 }
 
 void WithoutTriangles(Checker& check)
@@ -468,6 +582,7 @@ int TestPartSizesFilter(int, char*[])
   HeadHeight(check);
   Refused(check);
   Rows(check);
+  Styles(check);
   WithoutTriangles(check);
   Properties(check);
   return check.Result();

@@ -319,6 +319,12 @@ Subject MakePartSizes(Bytes& bytes)
   f->SetHead(bytes.Below(8) - 1);
   f->SetKeepOnGround(bytes.Flag());
   f->SetUpAxis(bytes.Below(3));
+  for (int row = bytes.Below(3); row > 0; --row)
+  {
+    const int part = bytes.Below(8);
+    f->SetPartRoundness(part, bytes.Any());
+    f->SetPartNormalBlend(part, bytes.Any());
+  }
   return { f, true };
 }
 

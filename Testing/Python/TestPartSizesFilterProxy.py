@@ -44,6 +44,11 @@ assert rows[1][3] > 1.3 * rows[1][2], rows
 sized.PartSize = [1, 1.6]
 assert [row[:2] for row in sizes_of(sized)] == [[0, 1.0], [1, 1.6]]
 sized.PartSize = []
+sized.PartRoundness, sized.PartNormalBlend = [0, 0.0], [0, 0.25, 1, 1.0]
+sized.UpdatePipeline()
+assert {"PartRoundness", "PartNormalBlend"} <= set(sized.PointData.keys()), sized.PointData.keys()
+assert sized.PointData["PartRoundness"].GetRange(0)[0] < 1e-3, "a part that is not rounded"
+sized.PartRoundness, sized.PartNormalBlend = [], []
 assert [row[:2] for row in sizes_of(sized)] == [[0, 1.0], [1, 1.0]]
 
 # ------------------------------------------------------------------------------------ head to body

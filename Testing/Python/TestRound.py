@@ -337,7 +337,7 @@ if hasattr(ss.vtkSphericalStyleFilter, "override"):
 # --------------------------------------------------------------------------------------------------------------- parts
 ids = ss.parts(creature)
 taller = ss.resize(creature, head_height=0.8, parts=ids)
-assert type(taller) is type(creature) and not taller.GetPointData().HasArray("parts of resize()")
+assert type(taller) is type(creature) and not taller.GetPointData().HasArray("parts of sphericalstyle")
 array_of = ss.resize((points(creature), faces(creature)), head_height=0.8, parts=ids)
 assert np.allclose(array_of[0], points(taller), atol=1e-6)
 assert same(points(ss.resize(creature)), points(creature))
@@ -355,7 +355,7 @@ for wrong, words in (({"parts": ids[1:]}, "values for"), ({"up_axis": "up"}, "")
     except (ValueError, ss.Error) as error:
         assert words in str(error), error
 for wrong, words in ((1.3, "not 1.3"), ([(1, 1.3)], "such as {0: 1.3}"), ({"head": 1.3}, "whole numbers"),
-                     ({1.5: 1.3}, "not 1.5"), ({True: 1.3}, "not True"), ({1: "large"}, "size of part 1")):
+                     ({1.5: 1.3}, "not 1.5"), ({True: 1.3}, "not True"), ({1: "large"}, "value of part 1")):
     try:
         ss.resize(creature, wrong)
         raise AssertionError(wrong)
@@ -366,6 +366,28 @@ assert same(points(ss.resize(creature, {np.int32(1): np.float32(1.5)}, parts=ids
 # Ears, 7 and 8, go along with the head.
 assert same(points(ss.resize(creature, {0: 1.3}, parts=ids)),
             points(ss.resize(creature, {0: 1.3, 7: 1.3, 8: 1.3}, parts=ids)))
+
+# A part that is not rounded stays, but for where it passes into the next; what is said of no part is as without.
+still = ss.round(creature, part_roundness={0: 0.0}, parts=ids, detail_size=0.0, keep_size="Off", refine_long_edges="Off")
+free = ss.round(creature, detail_size=0.0, keep_size="Off", refine_long_edges="Off")
+head = ids == 0
+moves = np.linalg.norm(points(still) - points(creature), axis=1), np.linalg.norm(points(free) - points(creature), axis=1)
+assert np.median(moves[0][head]) < 0.01 * np.median(moves[1][head]), [np.median(m[head]) for m in moves]
+assert np.allclose(np.median(moves[0][ids == 2]), np.median(moves[1][ids == 2]), rtol=0.2)
+assert not still.GetPointData().HasArray("PartRoundness") and not still.GetPointData().HasArray("PartNormalBlend")
+assert not same(points(ss.round(creature, part_normal_blend={0: 0.0})), points(ss.round(creature)))
+for wrong, words in (({"parts": ids}, "needs part_roundness"), ({"part_roundness": 2.0}, "part_roundness must be a dict"),
+                     ({"part_normal_blend": {"head": 0.5}}, "part_normal_blend: parts are whole numbers")):
+    try:
+        ss.round(creature, **wrong)
+        raise AssertionError(wrong)
+    except TypeError as error:
+        assert words in str(error), error
+try:
+    ss.round(creature, part_normal_blend={0: 2.0}, parts=ids)
+    raise AssertionError("out of range")
+except (ValueError, ss.Error) as error:
+    assert "NormalBlend of part 0 must be in 0..1" in str(error), error
 
 # ----------------------------------------------------------------------------------------------------------- printable
 if hasattr(ss, "vtkPrintableFilter"):
