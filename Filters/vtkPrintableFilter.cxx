@@ -16,14 +16,16 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStaticPointLocator.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -51,11 +53,25 @@ struct ClosedInput
 /// For each point the nearest of the first n.
 void TakeNearest(const Points& P, Eigen::Index n, std::vector<vtkIdType>& inputPoints)
 {
+  if (n == P.rows())
+  {
+    return;
+  }
+  vtkNew<vtkPoints> first;
+  first->SetDataTypeToDouble();
+  first->SetNumberOfPoints(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+  {
+    first->SetPoint(i, P.row(i).data());
+  }
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(first);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(points);
+  locator->BuildLocator();
   for (Eigen::Index i = n; i < P.rows(); ++i)
   {
-    Eigen::Index nearest = 0;
-    (P.topRows(n).rowwise() - P.row(i)).rowwise().squaredNorm().minCoeff(&nearest);
-    inputPoints.push_back(inputPoints[nearest]);
+    inputPoints.push_back(inputPoints[locator->FindClosestPoint(P.row(i).data())]);
   }
 }
 
@@ -177,6 +193,37 @@ void FillOutput(vtkPolyData* output, vtkPolyData* input, const ClosedInput& clos
   output->GetFieldData()->ShallowCopy(input->GetFieldData());
 }
 
+/// NaN where there is no other side.
+void AddThickness(vtkPolyData* output, const Eigen::VectorXd& thickness, int type)
+{
+  const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  array->SetName("WallThickness");
+  array->SetNumberOfTuples(thickness.size());
+  for (Eigen::Index i = 0; i < thickness.size(); ++i)
+  {
+    array->SetTuple1(i, std::isfinite(thickness(i)) ? thickness(i) : std::nan(""));
+  }
+  output->GetPointData()->AddArray(array);
+}
+
+/// Of walls that stayed thinner than wanted; empty where there are none.
+std::string ThinRemark(const Eigen::VectorXd& thickness, double wanted)
+{
+  Eigen::Index thinnest = 0;
+  const double least = thickness.minCoeff(&thinnest);
+  if (!(least < wanted))
+  {
+    return {};
+  }
+  const auto count = static_cast<vtkIdType>((thickness.array() < wanted).count());
+  std::ostringstream text;
+  text << "MinimumThickness: walls stay thinner than " << wanted << " at " << Count(count, "point")
+       << ", the thinnest with " << least << " at point " << thinnest
+       << ", where the surface would run through itself; the array WallThickness shows them. "
+          "Choose a larger Height, or less";
+  return text.str();
+}
+
 void MakeTable(vtkTable* table, const PrintableResult& result, int holes, const ClosedInput& closed)
 {
   table->Initialize(); // an observer of progress may have asked for an update, which filled it
@@ -189,6 +236,7 @@ void MakeTable(vtkTable* table, const PrintableResult& result, int holes, const 
     after->InsertNextValue(made);
     units->InsertNextValue(unit);
   };
+  const auto orNaN = [](double x) { return std::isfinite(x) ? x : std::nan(""); };
   const PrintableMeasures& old = result.before;
   const PrintableMeasures& made = result.after;
   add("FootLevel", old.footLevel, made.footLevel, "length");
@@ -200,9 +248,11 @@ void MakeTable(vtkTable* table, const PrintableResult& result, int holes, const 
   {
     add(centers[k], old.centerOfMass(k), made.centerOfMass(k), "length");
   }
+  add("MinimumThickness", orNaN(old.thickness), orNaN(made.thickness), "length");
   add("TiltAngle", old.tiltAngle, made.tiltAngle, "degrees");
   add("CutDepth", 0.0, result.cutDepth, "length");
   add("Lean", 0.0, result.lean, "degrees");
+  add("Thickened", 0.0, result.thickened, "length");
   add("Factor", 1.0, result.factor, "");
   add("HolesClosed", 0.0, holes, "");
   add("Points", static_cast<double>(closed.Mesh.P.rows()),
@@ -258,8 +308,8 @@ int vtkPrintableFilter::Execute(
   {
     return 1;
   }
-  for (const auto& [name, value] :
-    { std::make_pair("Volume", this->Volume), std::make_pair("Height", this->Height) })
+  for (const auto& [name, value] : { std::make_pair("MinimumThickness", this->MinimumThickness),
+         std::make_pair("Volume", this->Volume), std::make_pair("Height", this->Height) })
   {
     Require(value >= 0.0 && std::isfinite(value), name, "0 or more", value);
   }
@@ -286,16 +336,20 @@ int vtkPrintableFilter::Execute(
   options.axis = this->UpAxis;
   options.footArea = this->FootArea;
   options.stabilityAngle = this->StabilityAngle;
+  options.thickness = this->MinimumThickness;
   options.volume = this->Volume;
   options.height = this->Height;
+  options.threads = ThreadsToUse(0);
   PrintableResult result = SphericalStyle::MakePrintable(closed.Mesh, options);
   this->UpdateProgress(0.9);
   if (this->PlaceOnPlate)
   {
     result.surface.mesh.P = OnPlate(result.surface.mesh.P, this->UpAxis);
   }
-  FillOutput(output, input, closed, result.surface,
-    vtkSurfaceMeshConversion::OutputPointType(input, this->OutputPointsPrecision));
+  const int type = vtkSurfaceMeshConversion::OutputPointType(input, this->OutputPointsPrecision);
+  FillOutput(output, input, closed, result.surface, type);
+  AddThickness(output, result.thickness, type);
+  Warn(this, ThinRemark(result.thickness, this->MinimumThickness));
   MakeTable(vtkTable::GetData(outputVector, 1), result, closed.HolesClosed, closed);
   return 1;
 }
@@ -305,6 +359,7 @@ void vtkPrintableFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FootArea: " << this->FootArea << "\n";
   os << indent << "StabilityAngle: " << this->StabilityAngle << "\n";
+  os << indent << "MinimumThickness: " << this->MinimumThickness << "\n";
   os << indent << "Volume: " << this->Volume << "\n";
   os << indent << "Height: " << this->Height << "\n";
   os << indent << "CloseHoles: " << OnOff(this->CloseHoles) << "\n";

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlatFoot.h"
 
+#include "MeshEdges.h"
+#include "MeshQuality.h"
 #include "MeshTopology.h"
 #include "SurfaceMesh.h"
 
@@ -17,7 +19,6 @@
 #include <deque>
 #include <limits>
 #include <map>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -326,23 +327,15 @@ void FlatCut::KeepAbove(Eigen::Index f)
 /// The other way round than in the triangles that are kept.
 FlatCut::Edges FlatCut::Borders() const
 {
-  std::set<std::uint64_t> edges;
-  for (const auto& t : this->Kept)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      edges.insert(Key(t[k], t[(k + 1) % 3]));
-    }
-  }
+  const Triangles F = AsMatrix(this->Kept);
+  const MeshEdges edges(F);
   Edges borders;
-  for (const auto& t : this->Kept)
+  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
   {
-    for (int k = 0; k < 3; ++k)
+    if (edges.GetValence(e) == 1)
     {
-      if (edges.count(Key(t[(k + 1) % 3], t[k])) == 0)
-      {
-        borders.push_back({ t[(k + 1) % 3], t[k] });
-      }
+      const int h = edges.GetHalfEdges()[edges.GetOffset()[e]];
+      borders.push_back({ F(h / 3, HalfEdgeEnd(h % 3)), F(h / 3, HalfEdgeStart(h % 3)) });
     }
   }
   return borders;
@@ -390,33 +383,22 @@ DerivedSurface Underived(const TriangleMesh& mesh)
 
 OpenEdges FindOpenEdges(const Triangles& F)
 {
-  std::unordered_map<std::uint64_t, int> counts;
-  counts.reserve(3 * F.rows());
-  for (const auto& t : F.rowwise())
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      ++counts[Key(t[k], t[(k + 1) % 3])];
-    }
-  }
+  const MeshEdges edges(F);
   OpenEdges open;
-  for (const auto& t : F.rowwise()) // in their order, so that the first is the same everywhere
+  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
   {
-    for (int k = 0; k < 3; ++k)
+    const int first = edges.GetHalfEdges()[edges.GetOffset()[e]];
+    const int point = F(first / 3, HalfEdgeStart(first % 3));
+    const int valence = edges.GetValence(e);
+    if (valence == 1)
     {
-      const auto other = counts.find(Key(t[(k + 1) % 3], t[k]));
-      const int back = other == counts.end() ? 0 : other->second;
-      const int forth = counts[Key(t[k], t[(k + 1) % 3])];
-      if (forth > 1 || back > 1)
-      {
-        ++open.nonManifold;
-        open.firstNonManifold = open.firstNonManifold < 0 ? t[k] : open.firstNonManifold;
-      }
-      else if (back == 0)
-      {
-        ++open.borders;
-        open.firstBorder = open.firstBorder < 0 ? t[k] : open.firstBorder;
-      }
+      ++open.borders;
+      open.firstBorder = open.firstBorder < 0 ? point : open.firstBorder;
+    }
+    else if (valence > 2 || EdgeBalance(F, edges, e) != 0)
+    {
+      ++open.nonManifold;
+      open.firstNonManifold = open.firstNonManifold < 0 ? point : open.firstNonManifold;
     }
   }
   return open;

@@ -5,6 +5,7 @@
 #include "SelfIntersections.h"
 #include "Standing.h"
 #include "SurfaceMeasures.h"
+#include "WallThickness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,10 @@ constexpr int Tries = 5;
 constexpr double Higher = 1e-3;
 /// By how much a foot grows on which the model cannot stand.
 constexpr double LargerFoot = 1.2;
+/// How often walls are made thicker again because the model became smaller.
+constexpr int Thickenings = 10;
+/// By which share the least thickness has to grow for another try.
+constexpr double WorthATry = 1e-3;
 
 std::string Text(double number)
 {
@@ -53,6 +58,7 @@ Eigen::Vector2d Across(const Eigen::Vector3d& p, int axis)
   return { p((axis + 1) % 3), p((axis + 2) % 3) };
 }
 
+/// All but the thickness.
 PrintableMeasures Measure(const TriangleMesh& mesh, int axis)
 {
   PrintableMeasures measures;
@@ -76,87 +82,149 @@ DerivedSurface Whole(const TriangleMesh& mesh)
   return whole;
 }
 
+/// What the model stands on.
+struct Stand
+{
+  DerivedSurface surface;
+  double depth = 0.0; // of the cut
+  double lean = 0.0;  // degrees
+  Eigen::Vector2d shear = Eigen::Vector2d::Zero();
+  std::string problem;       // why there is none
+  bool isOutOfReach = false; // a larger foot is as well
+};
+
 /// [foot]
-DerivedSurface GiveFoot(const TriangleMesh& mesh, const PrintableOptions& options, double& depth)
+Stand GiveFoot(const TriangleMesh& mesh, const PrintableOptions& options, double footArea)
 {
   const int axis = options.axis;
   const double rectangle = Extent(mesh.P, (axis + 1) % 3) * Extent(mesh.P, (axis + 2) % 3);
-  const double wanted = options.footArea * rectangle;
+  const double wanted = footArea * rectangle;
   const double height = Extent(mesh.P, axis);
   const double ground = mesh.P.col(axis).minCoeff();
   const double has = GroundArea(mesh, axis, OnGround * height);
-  depth = 0.0;
-  if (wanted <= has)
+  Stand stand;
+  if (footArea == 0.0 || wanted <= has)
   {
-    DerivedSurface whole = Whole(mesh);
-    for (auto p : whole.mesh.P.rowwise())
+    stand.surface = Whole(mesh);
+    for (auto p : stand.surface.mesh.P.rowwise())
     {
-      p(axis) = p(axis) <= ground + OnGround * height ? ground : p(axis);
+      p(axis) = footArea > 0.0 && p(axis) <= ground + OnGround * height ? ground : p(axis);
     }
-    return whole;
+    return stand;
   }
   double most = 0.0;
   const double level = FootLevel(mesh, axis, wanted, ground + DeepestCut * height, most);
   if (std::isnan(level))
   {
-    throw std::invalid_argument("FootArea: a cut of up to a fifth of the height makes a foot of " +
+    stand.isOutOfReach = true;
+    stand.problem = "FootArea: a cut of up to a fifth of the height makes a foot of " +
       Text(std::floor(std::max(most, has) / rectangle * 1e3) / 1e3) +
-      " of the rectangle that the model covers on the ground, not " + Text(options.footArea) +
-      "; choose less, or see UpAxis");
+      " of the rectangle that the model covers on the ground, not " + Text(footArea) +
+      "; choose less, or see UpAxis";
+    return stand;
   }
   for (int k = 0; k < Tries; ++k)
   {
-    depth = level - ground + k * Higher * height;
-    DerivedSurface cut = CutFlat(mesh, axis, ground + depth);
-    if (cut.mesh.F.rows() > 0)
+    stand.depth = level - ground + k * Higher * height;
+    stand.surface = CutFlat(mesh, axis, ground + stand.depth);
+    if (stand.surface.mesh.F.rows() > 0)
     {
-      return cut;
+      return stand;
     }
   }
-  throw std::invalid_argument("FootArea: the model runs through itself where it would be cut, " +
-    Text(depth) +
+  stand.problem = "FootArea: the model runs through itself where it would be cut, " +
+    Text(stand.depth) +
     " above its lowest point; Surface Metrics shows where. Choose another FootArea, "
-    "or 0 for no cut");
+    "or 0 for no cut";
+  return stand;
 }
 
-/// [stands]
-double MakeStable(const PrintableOptions& options, Points& P, const Triangles& F)
+/// The lean that takes the center of mass above the foot [stands], or why there is none.
+void FindLean(const PrintableOptions& options, Stand& stand)
 {
   const int axis = options.axis;
-  const double level = P.col(axis).minCoeff();
-  const SupportPolygon support = FindSupport(P, axis, OnGround * Extent(P, axis));
-  const Eigen::Vector3d center = CenterOfMass({ P, F });
-  const double height = center(axis) - level;
+  const TriangleMesh& mesh = stand.surface.mesh;
+  const SupportPolygon support = FindSupport(mesh.P, axis, OnGround * Extent(mesh.P, axis));
+  const Eigen::Vector3d center = CenterOfMass(mesh);
+  const double height = center(axis) - mesh.P.col(axis).minCoeff();
   Eigen::Vector2d place;
   double most = 0.0;
   const std::string wanted = "StabilityAngle: " + Text(options.stabilityAngle) + " degrees ";
   if (!NearestStablePlace(
         support, Across(center, axis), height, options.stabilityAngle, place, most))
   {
-    throw std::invalid_argument(wanted +
-      (support.size() < 3
-          ? "need a flat foot, and the model stands on a point or a line; set FootArea to more "
-            "than "
-            "0, or StabilityAngle to 0"
-          : "cannot be reached with the largest foot that is allowed: the center of mass above its "
-            "middle makes " +
-            Text(std::floor(most * 10.0) / 10.0) + "; choose less, or see FootArea and UpAxis"));
+    stand.problem = support.size() < 3 ? wanted +
+        "need a flat foot, and the model stands on a point or a line; set FootArea to more than 0, "
+        "or StabilityAngle to 0"
+                                       : wanted +
+        "cannot be reached with the largest foot that is allowed: the center of mass above its "
+        "middle makes " +
+        Text(std::floor(most * 10.0) / 10.0) + "; choose less, or see FootArea and UpAxis";
+    return;
   }
-  const Eigen::Vector2d shear = (place - Across(center, axis)) / height;
-  const double lean = std::atan(shear.norm()) * 180.0 / Pi;
-  if (lean > MostLean)
+  stand.shear = (place - Across(center, axis)) / height;
+  stand.lean = std::atan(stand.shear.norm()) * 180.0 / Pi;
+  if (stand.lean > MostLean)
   {
-    throw std::invalid_argument(wanted + "would need a lean of " + Text(lean) +
+    stand.problem = wanted + "would need a lean of " + Text(stand.lean) +
       " degrees with the largest foot that is allowed, and more than " + Text(MostLean) +
-      " are not done; choose less, or see FootArea and UpAxis");
+      " are not done; choose less, or see FootArea and UpAxis";
   }
-  if (lean > 0.0)
+}
+
+void LeanBy(const Eigen::Vector2d& shear, int axis, Points& P)
+{
+  if (!shear.isZero(0.0)) // else to the bit
   {
-    const Eigen::VectorXd above = P.col(axis).array() - level;
+    const Eigen::VectorXd above = P.col(axis).array() - P.col(axis).minCoeff();
     P.col((axis + 1) % 3) += shear(0) * above;
     P.col((axis + 2) % 3) += shear(1) * above;
   }
-  return lean;
+}
+
+/// Of feet from the wanted one on, the one that changes the model least [stands].
+/// @throw std::invalid_argument where it cannot stand
+Stand FindStand(const TriangleMesh& mesh, const PrintableOptions& options)
+{
+  const double deepest = DeepestCut * Extent(mesh.P, options.axis);
+  const auto square = [](double x) { return x * x; };
+  Stand best;
+  double least = std::numeric_limits<double>::infinity();
+  std::string problem;
+  for (double area = options.footArea; area <= 1.0; area *= LargerFoot)
+  {
+    Stand stand = GiveFoot(mesh, options, area);
+    const bool isFirst = area == options.footArea;
+    const bool isBeyond = stand.isOutOfReach || square(stand.depth / deepest) >= least;
+    if (isBeyond && !isFirst)
+    {
+      break;
+    }
+    if (stand.problem.empty() && options.stabilityAngle > 0.0)
+    {
+      FindLean(options, stand);
+    }
+    if (isFirst || !stand.problem.empty())
+    {
+      problem = stand.problem;
+    }
+    const double change = square(stand.lean / MostLean) + square(stand.depth / deepest);
+    if (stand.problem.empty() && change < least)
+    {
+      least = change;
+      best = std::move(stand);
+    }
+    const bool stands = least < std::numeric_limits<double>::infinity() && best.lean == 0.0;
+    if (stands || area == 0.0 || (isFirst && isBeyond))
+    {
+      break;
+    }
+  }
+  if (best.surface.mesh.F.rows() == 0)
+  {
+    throw std::invalid_argument(problem);
+  }
+  return best;
 }
 
 /// Scales about a place on the ground. @return the factor
@@ -173,6 +241,48 @@ double MakeSize(double before, const PrintableOptions& options, Points& P, const
   }
   return factor;
 }
+
+/// What the cut, or the surface between the points that were looked at, left too thin.
+void ThickenOnFoot(const PrintableOptions& options, Stand& stand)
+{
+  TriangleMesh& made = stand.surface.mesh;
+  const int axis = options.axis;
+  made.P =
+    ThickenWalls(made, options.thickness, options.threads, { axis, made.P.col(axis).minCoeff() });
+  const Eigen::Vector2d before = stand.shear;
+  if (options.stabilityAngle > 0.0)
+  {
+    FindLean(options, stand);
+  }
+  if (!stand.problem.empty())
+  {
+    throw std::invalid_argument(stand.problem);
+  }
+  LeanBy(stand.shear, axis, made.P);
+  stand.shear += before;
+  stand.lean = std::atan(stand.shear.norm()) * 180.0 / Pi;
+}
+
+/// @param isThick  whether walls of the mesh are, about, as thick as they have to be
+void StandAndScale(
+  const TriangleMesh& mesh, const PrintableOptions& options, bool isThick, PrintableResult& result)
+{
+  Stand stand = FindStand(mesh, options);
+  TriangleMesh& made = stand.surface.mesh;
+  LeanBy(stand.shear, options.axis, made.P);
+  const bool isKept =
+    options.volume == 0.0 && options.height == 0.0 && stand.depth == 0.0 && !isThick;
+  result.factor = isKept ? 1.0 : MakeSize(result.before.volume, options, made.P, made.F);
+  if (isThick)
+  {
+    ThickenOnFoot(options, stand);
+    result.factor *= MakeSize(result.before.volume, options, made.P, made.F);
+  }
+  result.lean = stand.lean;
+  result.cutDepth = stand.depth;
+  result.thickness = FindWalls(made, options.threads).thickness;
+  result.surface = std::move(stand.surface);
+}
 } // namespace
 
 PrintableResult MakePrintable(const TriangleMesh& mesh, const PrintableOptions& options)
@@ -183,40 +293,27 @@ PrintableResult MakePrintable(const TriangleMesh& mesh, const PrintableOptions& 
   {
     throw std::invalid_argument("The surface encloses no volume, so there is nothing to print");
   }
-  result.surface = options.footArea > 0.0 ? GiveFoot(mesh, options, result.cutDepth) : Whole(mesh);
-  for (PrintableOptions larger = options; options.stabilityAngle > 0.0;)
+  result.before.thickness = FindWalls(mesh, options.threads).thickness.minCoeff();
+  StandAndScale(mesh, options, false, result);
+  // Walls are made thicker before, so by more where the model becomes smaller.
+  double wanted = options.thickness / result.factor;
+  double reached = result.thickness.minCoeff();
+  for (int k = 0; k < Thickenings && result.thickness.minCoeff() < options.thickness; ++k)
   {
-    try
+    const Points P = ThickenWalls(mesh, wanted, options.threads);
+    result.thickened = (P - mesh.P).rowwise().norm().maxCoeff();
+    StandAndScale({ P, mesh.F }, options, true, result);
+    const double next = options.thickness / result.factor;
+    const double least = result.thickness.minCoeff();
+    if (next <= wanted || least <= (1.0 + WorthATry) * reached)
     {
-      result.lean = MakeStable(options, result.surface.mesh.P, result.surface.mesh.F);
-      break;
+      break; // nothing more would change
     }
-    catch (const std::invalid_argument&)
-    {
-      larger.footArea *= LargerFoot;
-      if (!(larger.footArea > 0.0 && larger.footArea <= 1.0))
-      {
-        throw;
-      }
-      DerivedSurface grown;
-      try
-      {
-        grown = GiveFoot(mesh, larger, result.cutDepth);
-      }
-      catch (const std::invalid_argument&) // what is said below is what the user wants to know
-      {
-        MakeStable(options, result.surface.mesh.P, result.surface.mesh.F);
-      }
-      result.surface = grown;
-    }
+    wanted = next;
+    reached = least;
   }
-  TriangleMesh& made = result.surface.mesh;
-  const bool isKept = options.volume == 0.0 && options.height == 0.0 && result.cutDepth == 0.0;
-  if (!isKept) // else to the bit
-  {
-    result.factor = MakeSize(result.before.volume, options, made.P, made.F);
-  }
-  result.after = Measure(made, options.axis);
+  result.after = Measure(result.surface.mesh, options.axis);
+  result.after.thickness = result.thickness.minCoeff();
   return result;
 }
 } // namespace SphericalStyle

@@ -7,6 +7,8 @@
 
 #include "FlatFoot.h"
 
+#include <limits>
+
 namespace SphericalStyle
 {
 /// No cut is deeper than this share of the height, and nothing leans more than this, in degrees.
@@ -18,8 +20,10 @@ struct PrintableOptions
   int axis = 1;           ///< that points up
   double footArea = 0.05; ///< share of the bounds' rectangle, or more so that it stands; 0: no cut
   double stabilityAngle = 10.0; ///< degrees; 0: it does not lean
+  double thickness = 0.0;       ///< of walls of the result at least, length; 0: as they are
   double volume = 0.0;          ///< of the result, length^3; 0: that of the mesh
   double height = 0.0;          ///< of the result, length; 0: as the volume says
+  int threads = 1;
 };
 
 /// What is measured before and after.
@@ -30,8 +34,9 @@ struct PrintableMeasures
   double height = 0.0;    ///< length
   double volume = 0.0;    ///< length^3
   Eigen::Vector3d centerOfMass = Eigen::Vector3d::Zero();
-  double tiltAngle = 0.0;   ///< degrees
-  int selfIntersecting = 0; ///< triangles
+  double tiltAngle = 0.0;                                     ///< degrees
+  int selfIntersecting = 0;                                   ///< triangles
+  double thickness = std::numeric_limits<double>::infinity(); ///< the least one [walls], length
 };
 
 struct PrintableResult
@@ -39,9 +44,11 @@ struct PrintableResult
   DerivedSurface surface;
   PrintableMeasures before;
   PrintableMeasures after;
-  double cutDepth = 0.0; ///< length, of the mesh
-  double lean = 0.0;     ///< degrees
-  double factor = 1.0;   ///< of the size
+  Eigen::VectorXd thickness; ///< of each point, or infinite [walls], length
+  double cutDepth = 0.0;     ///< length, of the mesh
+  double lean = 0.0;         ///< degrees
+  double factor = 1.0;       ///< of the size
+  double thickened = 0.0;    ///< the longest motion of a point, length, of the mesh
 };
 
 /// @param mesh  closed, a manifold by edges, facing outward

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Standing.h"
 
+#include "SurfaceMeasures.h"
 #include "SurfaceMesh.h"
 
 #include <CGAL/convex_hull_2.h>
@@ -56,14 +57,11 @@ Eigen::Vector3d CenterOfMass(const TriangleMesh& mesh)
   const Eigen::RowVector3d O = mesh.P.colwise().mean();
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
   double volume = 0.0;
-  for (const auto& t : mesh.F.rowwise())
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
   {
-    const Eigen::RowVector3d a = mesh.P.row(t[0]) - O;
-    const Eigen::RowVector3d b = mesh.P.row(t[1]) - O;
-    const Eigen::RowVector3d c = mesh.P.row(t[2]) - O;
-    const double six = a.dot(b.cross(c));
+    const double six = TripleProduct(mesh.P, mesh.F, f, O.transpose());
     volume += six;
-    sum += six * 0.25 * (a + b + c);
+    sum += six * 0.25 * (mesh.P(mesh.F.row(f), AllColumns).colwise().sum() - 3.0 * O);
   }
   return (O + sum / volume).transpose();
 }

@@ -86,6 +86,7 @@ def printable(
     *,
     foot_area: float = ...,
     stability_angle: float = ...,
+    minimum_thickness: float = ...,
     volume: float = ...,
     height: float = ...,
     close_holes: bool = ...,

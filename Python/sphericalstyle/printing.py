@@ -5,16 +5,19 @@ from . import SphericalStyleFilters, meshes
 from .messages import Error, execute
 
 
-def printable(mesh, *, foot_area=0.05, stability_angle=10.0, volume=0.0, height=0.0, close_holes=False,
-              place_on_plate=True, up_axis="Y"):
+def printable(mesh, *, foot_area=0.05, stability_angle=10.0, minimum_thickness=0.0, volume=0.0, height=0.0,
+              close_holes=False, place_on_plate=True, up_axis="Y"):
     """Returns a copy of a mesh that can be printed: with a flat foot, standing, closed, and of the wanted size.
 
     mesh: a vtkPolyData, a PyVista mesh, an object with vertices and faces such as a trimesh, or a tuple of arrays
     (points, faces). The result is of the same kind, with other points and triangles.
 
     foot_area: the least area of the foot, as a fraction of the rectangle that the mesh covers on the ground. 0: no cut.
-    stability_angle: by how many degrees it can be tilted before it falls over. It leans for that up to 10 degrees, or
-    the foot is made larger. 0: it does not lean.
+    stability_angle: by how many degrees it can be tilted before it falls over. For that the foot is made larger and the
+    mesh leans, up to 10 degrees. 0: neither.
+
+    minimum_thickness: thinner walls are made as thick as this, in the unit of the result. 0: they stay as they are. A
+    warning says so where they cannot be.
 
     volume or height: what it is scaled to, in its own unit, which programs for printers take as millimeters; both 0: it
     keeps its volume.
@@ -40,8 +43,9 @@ def printable(mesh, *, foot_area=0.05, stability_angle=10.0, volume=0.0, height=
         raise Error("this sphericalstyle was built without CGAL (SPHERICALSTYLE_WITH_CGAL), which printable() needs")
     surface, back = meshes.take(mesh, "printable")
     filter_ = SphericalStyleFilters.vtkPrintableFilter()
-    for name, value in (("FootArea", foot_area), ("StabilityAngle", stability_angle), ("Volume", volume),
-                        ("Height", height), ("CloseHoles", close_holes), ("PlaceOnPlate", place_on_plate),
+    for name, value in (("FootArea", foot_area), ("StabilityAngle", stability_angle),
+                        ("MinimumThickness", minimum_thickness), ("Volume", volume), ("Height", height),
+                        ("CloseHoles", close_holes), ("PlaceOnPlate", place_on_plate),
                         ("UpAxis", "XYZ".index(str(up_axis).upper()))):
         getattr(filter_, "Set" + name)(value)
     execute(filter_, surface)

@@ -5,6 +5,7 @@
 #include "ArrayTesting.h"
 #include "PropertyTesting.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
@@ -107,6 +108,50 @@ void CheckPlaces(Checker& check)
     "and what was cut");
 }
 
+void CheckWalls(Checker& check)
+{
+  const Surface leaf = MakeEllipsoid({ 1.0, 1.0, 0.02 }, Faces::Triangles, 48, 25);
+  Printed printed(leaf);
+  printed.Get()->SetHeight(100.0);
+  printed.Get()->SetStabilityAngle(0.0); // it stands on its edge
+  printed.Get()->SetMinimumThickness(3.0);
+  vtkPolyData* output = printed.Output();
+  check(printed.Errors.empty() && printed.Warnings.empty(), "walls are made thicker");
+  check(printed.Entry("MinimumThickness", "Before") < 0.04 &&
+      printed.Entry("MinimumThickness") >= 3.0 && printed.Entry("Thickened") > 0.01,
+    "the table says how thick they were and are");
+  vtkDataArray* thickness = output->GetPointData()->GetArray("WallThickness");
+  double least = HUGE_VAL;
+  for (vtkIdType i = 0; thickness && i < output->GetNumberOfPoints(); ++i)
+  {
+    least = std::fmin(least, thickness->GetTuple1(i)); // NaN where there is no other side
+  }
+  check(std::abs(least - printed.Entry("MinimumThickness")) < 1e-5,
+    "WallThickness is an array of the points");
+
+  // Two that are nearer to each other than they have to grow have no room.
+  const Surface other = MakeEllipsoid({ 1.0, 1.0, 0.02 }, Faces::Triangles, 48, 25);
+  for (vtkIdType i = 0; i < other->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    other->GetPoint(i, x);
+    other->GetPoints()->SetPoint(i, x[0], x[1], x[2] + 0.045);
+  }
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputData(leaf);
+  append->AddInputData(other);
+  append->Update();
+  Printed tight(append->GetOutput());
+  tight.Get()->SetMinimumThickness(0.1);
+  tight.Get()->SetStabilityAngle(0.0);
+  tight.Output();
+  check(tight.Errors.empty() && tight.Warnings.size() == 1 &&
+      Contains(tight.Warnings.front(), "MinimumThickness: walls stay thinner than 0.1 at ") &&
+      Contains(tight.Warnings.front(), "the thinnest with "),
+    "a warning says where there is no room" +
+      (tight.Warnings.empty() ? "" : ", not " + tight.Warnings.front()));
+}
+
 void CheckMessages(Checker& check)
 {
   const auto refuses = [&](Printed& printed, const char* words)
@@ -129,6 +174,9 @@ void CheckMessages(Checker& check)
   both.Get()->SetHeight(std::nan(""));
   refuses(both, "Height must be 0 or more");
   both.Get()->SetHeight(0.0);
+  both.Get()->SetMinimumThickness(-1.0);
+  refuses(both, "MinimumThickness must be 0 or more");
+  both.Get()->SetMinimumThickness(0.0);
   both.Get()->SetFootArea(1.0);
   refuses(both, "makes a foot of");
   both.Get()->SetFootArea(0.0);
@@ -165,6 +213,7 @@ int TestPrintableFilter(int, char*[])
   Checker check;
   CheckArrays(check);
   CheckPlaces(check);
+  CheckWalls(check);
   CheckMessages(check);
   return check.Result();
 }

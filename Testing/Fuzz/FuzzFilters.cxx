@@ -355,6 +355,7 @@ Subject MakePrintable(Bytes& bytes)
   f->SetCloseHoles(bytes.Below(4) != 1);
   f->SetPlaceOnPlate(bytes.Flag());
   f->SetUpAxis(bytes.Below(3));
+  f->SetMinimumThickness(bytes.Below(4) == 1 ? bytes.Any() : 0.0);
   return { f, false };
 }
 

@@ -9,6 +9,7 @@
 #include "SelfIntersections.h"
 #include "Standing.h"
 #include "SurfaceMeasures.h"
+#include "WallThickness.h"
 
 #include <Eigen/Geometry>
 
@@ -183,6 +184,88 @@ void TestLean()
   CHECK_THROWS(std::invalid_argument, MakePrintable(column, options), "StabilityAngle: 30 degrees");
 }
 
+/// Walls of known thickness, measured and made thicker.
+void TestWalls()
+{
+  const TriangleMesh plate = Meshes::Box(20, { 1.0, 0.01, 1.0 });
+  const Eigen::VectorXd thickness = FindWalls(plate, 2).thickness;
+  for (Eigen::Index i = 0; i < plate.P.rows(); ++i)
+  {
+    if (std::max(std::abs(plate.P(i, 0)), std::abs(plate.P(i, 2))) < 0.95)
+    {
+      CHECK_NEAR(thickness(i), 0.02, 1e-12, "a plate");
+    }
+  }
+  CHECK(Meshes::SameBits(ThickenWalls(plate, 0.015, 2), plate.P), "thick enough: nothing moves");
+  const TriangleMesh thick{ ThickenWalls(plate, 0.1, 2), plate.F };
+  CHECK(FindWalls(thick, 2).thickness.minCoeff() >= 0.1, "as thick as is wanted");
+  CHECK(thick.P.col(1).cwiseAbs().maxCoeff() < 0.0525, "and no thicker than that takes");
+  CHECK(SelfIntersections(thick).empty(), "a thick plate does not run through itself");
+  CHECK(Meshes::SameBits(ThickenWalls(plate, 0.1, 1), thick.P), "with any number of threads");
+
+  const TriangleMesh ball = Meshes::Icosphere(4);
+  CHECK_NEAR(
+    FindWalls(ball, 2).thickness.minCoeff(), 2.0, 0.01, "a ball is as thick as its diameter");
+  CHECK(!std::isfinite(FindWalls(ball, 2, 1.5).thickness.minCoeff()), "nothing within reach");
+  const TriangleMesh hollow = Meshes::HollowBall(0.05, 4);
+  const TriangleMesh shell{ ThickenWalls(hollow, 0.2, 2), hollow.F };
+  CHECK(FindWalls(shell, 2).thickness.minCoeff() >= 0.2, "the wall of a hollow ball");
+  CHECK_NEAR(shell.P.rowwise().norm().minCoeff(), 0.874, 0.01, "moves inward inside");
+
+  // A sharp edge is no wall, and a wedge of 20 degrees is one.
+  TriangleMesh wedge = Meshes::Box(8, { 1.0, 1.0, 1.0 });
+  wedge.P.col(1).array() *= 1.01 + wedge.P.col(0).array();
+  const auto atItsEdge = [&wedge]
+  {
+    const auto nearEdge = wedge.P.col(0).array() < 0.0;
+    return nearEdge.select(FindWalls(wedge, 2).thickness.array(), 10.0).minCoeff();
+  };
+  CHECK(atItsEdge() > 0.5, "a wedge of 90 degrees: " << atItsEdge());
+  wedge.P.col(1) *= std::tan(10.0 / Degrees);
+  CHECK(atItsEdge() < 0.1, "a wedge of 20 degrees");
+
+  // A rod through a ball is no thinner there.
+  TriangleMesh rod = Meshes::Box(20, { 2.0, 0.05, 0.05 });
+  const TriangleMesh both = Meshes::Together({ ball, rod });
+  const Eigen::VectorXd ofBoth = FindWalls(both, 2).thickness;
+  for (Eigen::Index i = ball.P.rows(); i < both.P.rows(); ++i)
+  {
+    const double x = std::abs(both.P(i, 0));
+    CHECK(x < 0.95 ? !std::isfinite(ofBoth(i)) : x < 1.05 || x > 1.9 || ofBoth(i) < 0.15,
+      "a rod through a ball at " << x << ": " << ofBoth(i));
+  }
+
+  // No room: two plates nearer to each other than they have to grow.
+  const TriangleMesh two = Meshes::Together({ plate, Meshes::Moved(plate, { 0.0, 0.04, 0.0 }) });
+  const TriangleMesh tight{ ThickenWalls(two, 0.1, 2), two.F };
+  CHECK(SelfIntersections(tight).empty(), "plates do not run through each other");
+  CHECK(FindWalls(tight, 2).thickness.minCoeff() < 0.1, "so they stay thinner");
+}
+
+/// The thickness is that of the result, whatever cut and size do to it.
+void TestThickResult()
+{
+  const TriangleMesh plate = Meshes::Box(20, { 1.0, 1.0, 0.02 });
+  PrintableOptions options;
+  options.thickness = 5.0;
+  options.stabilityAngle = 1.0;
+  options.height = 80.0;
+  options.threads = 2;
+  const PrintableResult made = MakePrintable(plate, options);
+  CheckMade(made, options, made.after.volume);
+  CHECK_NEAR(made.before.thickness, 0.04, 1e-12, "thickness before");
+  CHECK(made.after.thickness >= 5.0 && made.after.thickness < 5.2,
+    "thickness after: " << made.after.thickness);
+  CHECK_NEAR(made.after.height, 80.0, 1e-10, "height of the plate");
+  CHECK(made.thickened > 0.04 && made.thickened < 0.1, "how far points moved");
+  options.height = 0.0;
+  options.thickness = 0.06; // by keeping the volume the plate becomes smaller
+  const PrintableResult kept = MakePrintable(plate, options);
+  CheckMade(kept, options, made.before.volume);
+  CHECK(kept.factor < 0.9 && kept.after.thickness >= 0.06,
+    "thick enough after it was scaled: " << kept.after.thickness);
+}
+
 void TestRefused()
 {
   PrintableOptions options;
@@ -218,6 +301,8 @@ int main()
   TestFans();
   TestBall();
   TestLean();
+  TestWalls();
+  TestThickResult();
   TestRefused();
   TestHoles();
   return CheckResult();

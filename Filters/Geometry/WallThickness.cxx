@@ -1,0 +1,332 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WallThickness.h"
+
+#include "FirstHit.h"
+#include "Frame.h"
+#include "Parallel.h"
+#include "SelfIntersections.h"
+#include "SurfaceMeasures.h"
+#include "Thickness.h"
+#include "TriangleTree.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/Sparse>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace SphericalStyle
+{
+namespace
+{
+constexpr int Passes = 20;
+/// Walls become thicker than wanted by this share, so that the rounding of what follows, and the
+/// points between those that were looked at, are on the right side.
+constexpr double WallSurplus = 0.01;
+/// What is missing falls to this share in a pass, or there is no room for more.
+constexpr double LeastGain = 0.9;
+/// By how much less the surface moves, over the distance, away from a thin wall.
+constexpr double WallSlope = 0.5;
+/// How often a motion that makes triangles run through each other is halved before it is given up.
+constexpr int Halvings = 2;
+
+/// Triangles that run through others.
+std::vector<char> Intersecting(const TriangleMesh& mesh)
+{
+  std::vector<char> is(mesh.F.rows(), 0);
+  for (const auto& pair : SelfIntersections(mesh))
+  {
+    is[pair[0]] = 1;
+    is[pair[1]] = 1;
+  }
+  return is;
+}
+
+/// What is outside of a model whose parts may run through each other.
+class Outside
+{
+public:
+  explicit Outside(const TriangleMesh& mesh)
+    : Frame(FrameOf(mesh.P))
+    , P(Frame.Into(mesh.P))
+    , F(mesh.F)
+    , Normals(PointNormals(P, F))
+    , Tree(P, F)
+  {
+  }
+
+  Eigen::Vector3d NormalOf(int point) const { return this->Normals.row(point); }
+  Eigen::Vector3d TriangleNormal(int f) const
+  {
+    const Eigen::Vector3d a = this->P.row(this->F(f, 0));
+    return (this->P.row(this->F(f, 1)).transpose() - a)
+      .cross(this->P.row(this->F(f, 2)).transpose() - a)
+      .normalized();
+  }
+
+  /// Whether a point is not covered by another part.
+  bool SeesPoint(int point) const
+  {
+    return this->CountAround(this->P.row(point), this->NormalOf(point), point) <= 0;
+  }
+  /// Whether a place on a triangle is not. @param x  in the coordinates of the mesh
+  bool SeesTriangle(int f, const Eigen::RowVector3d& x) const
+  {
+    return this->CountAround(this->Frame.Into(Points(x)).row(0), this->TriangleNormal(f), -1) <= 0;
+  }
+
+private:
+  /// How many parts are around a place beside the surface, by the way out of them along a ray.
+  int CountAround(Eigen::Vector3d place, const Eigen::Vector3d& direction, int point) const
+  {
+    constexpr int MostCrossings = 200;
+    int parts = 0;
+    for (int k = 0; k < MostCrossings; ++k)
+    {
+      FirstHit hit(this->P, this->F, place, direction, FirstHit::Nothing);
+      hit.SkipPoint(k == 0 ? point : -1);
+      hit.Search(this->Tree);
+      if (hit.GetTriangle() < 0)
+      {
+        break;
+      }
+      parts += this->TriangleNormal(hit.GetTriangle()).dot(direction) > 0.0 ? 1 : -1;
+      place += hit.GetDistance() * direction;
+    }
+    return parts;
+  }
+
+  SphericalStyle::Frame Frame;
+  Points P;
+  Triangles F;
+  Points Normals;
+  TriangleTree Tree;
+};
+
+/// The least field on the edges that is no less than d anywhere, with this slope (Dijkstra).
+void SpreadAlongEdges(const TriangleMesh& mesh, Eigen::VectorXd& d)
+{
+  const auto n = static_cast<int>(mesh.P.rows());
+  std::vector<std::vector<int>> neighbors(n);
+  for (const auto& t : mesh.F.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      neighbors[t[k]].push_back(t[(k + 1) % 3]); // of a closed surface each edge has both
+    }
+  }
+  std::priority_queue<std::pair<double, int>> next;
+  for (int i = 0; i < n; ++i)
+  {
+    if (d(i) > 0.0)
+    {
+      next.emplace(d(i), i);
+    }
+  }
+  while (!next.empty())
+  {
+    const auto [value, i] = next.top();
+    next.pop();
+    if (value < d(i))
+    {
+      continue;
+    }
+    for (const int j : neighbors[i])
+    {
+      const double spread = value - WallSlope * (mesh.P.row(i) - mesh.P.row(j)).norm();
+      if (spread > d(j))
+      {
+        d(j) = spread;
+        next.emplace(spread, j);
+      }
+    }
+  }
+}
+
+/// Normals without what is smaller than h, so that points that are near to each other do not part:
+/// (M + h^2 L) N = M n, with the areas M of the points and the Laplacian L of linear elements
+/// without its negative weights. Normals of a ball, a rod and a sheet stay as they are, however
+/// thin.
+Points SmoothNormals(const TriangleMesh& mesh, double h)
+{
+  const Points normals = PointNormals(mesh.P, mesh.F);
+  const Eigen::VectorXd areas = PointAreas(mesh.P, mesh.F);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index i = 0; i < areas.size(); ++i)
+  {
+    entries.emplace_back(i, i, areas(i));
+  }
+  for (const auto& t : mesh.F.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int i = t[(k + 1) % 3];
+      const int j = t[(k + 2) % 3];
+      const Eigen::Vector3d u = mesh.P.row(i) - mesh.P.row(t[k]);
+      const Eigen::Vector3d v = mesh.P.row(j) - mesh.P.row(t[k]);
+      const double weight = 0.5 * h * h * std::max(0.0, u.dot(v)) / u.cross(v).norm();
+      entries.emplace_back(i, i, weight);
+      entries.emplace_back(j, j, weight);
+      entries.emplace_back(i, j, -weight);
+      entries.emplace_back(j, i, -weight);
+    }
+  }
+  Eigen::SparseMatrix<double> A(areas.size(), areas.size());
+  A.setFromTriplets(entries.begin(), entries.end());
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(A);
+  solver.setTolerance(1e-4);
+  Points smooth = normals;
+  for (int k = 0; k < 3; ++k)
+  {
+    smooth.col(k) = solver.solveWithGuess(areas.cwiseProduct(normals.col(k)), normals.col(k));
+  }
+  NormalizeSums(smooth);
+  return smooth;
+}
+
+/// Marks the corners of triangles that have a marked one.
+void GrowByOneRing(const Triangles& F, std::vector<char>& points)
+{
+  const std::vector<char> before = points;
+  for (const auto& t : F.rowwise())
+  {
+    if (before[t[0]] || before[t[1]] || before[t[2]])
+    {
+      points[t[0]] = points[t[1]] = points[t[2]] = 1;
+    }
+  }
+}
+
+/// How far the points of thin walls have to move: both sides alike, or one of them where the other
+/// has no room.
+/// @param walls  thinner than wanted @param stuck  points without room
+Eigen::VectorXd WantedMotions(
+  const TriangleMesh& mesh, const Walls& walls, double wanted, const std::vector<char>& stuck)
+{
+  Eigen::VectorXd d = 0.5 * (wanted - walls.thickness.array().min(wanted));
+  for (Eigen::Index i = 0; i < d.size(); ++i)
+  {
+    if (walls.thickness(i) < wanted && stuck[i])
+    {
+      for (const int j : mesh.F.row(walls.opposite[i]))
+      {
+        d(j) = std::max(d(j), wanted - walls.thickness(i));
+      }
+    }
+  }
+  return d;
+}
+
+/// Moves points along their normals, less where that would make triangles run through each other.
+/// @param before  triangles that do so already @param stuck  gets points that had no room
+void MoveOutward(TriangleMesh& mesh, Eigen::VectorXd d, const std::vector<char>& before,
+  const Ground& ground, std::vector<char>& stuck)
+{
+  const Points start = mesh.P;
+  const Points normals = SmoothNormals(mesh, d.maxCoeff());
+  for (int k = 0;; ++k)
+  {
+    mesh.P = start + (normals.array().colwise() * d.array()).matrix();
+    // At most half way down to the ground, and on it aside alone.
+    const auto lowest = 0.5 * (start.col(ground.axis).array() + ground.level);
+    mesh.P.col(ground.axis) = (start.col(ground.axis).array() == ground.level)
+                                .select(ground.level, mesh.P.col(ground.axis).array().max(lowest));
+    const std::vector<char> now = Intersecting(mesh);
+    std::vector<char> touched(start.rows(), 0);
+    bool any = false;
+    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+    {
+      if (now[f] && !before[f])
+      {
+        any = true;
+        touched[mesh.F(f, 0)] = touched[mesh.F(f, 1)] = touched[mesh.F(f, 2)] = 1;
+      }
+    }
+    if (!any)
+    {
+      return;
+    }
+    if (k > 2 * Halvings)
+    {
+      mesh.P = start;
+      return;
+    }
+    GrowByOneRing(mesh.F, touched);
+    for (Eigen::Index i = 0; i < d.size(); ++i)
+    {
+      if (touched[i])
+      {
+        d(i) *= k < Halvings ? 0.5 : 0.0;
+        stuck[i] = 1;
+      }
+    }
+  }
+}
+}
+
+Walls FindWalls(const TriangleMesh& mesh, int threads, double reach)
+{
+  const Eigen::RowVector3d extent = mesh.P.colwise().maxCoeff() - mesh.P.colwise().minCoeff();
+  std::vector<int> all(mesh.P.rows());
+  std::iota(all.begin(), all.end(), 0);
+  const ThicknessProbes probes = PlaceThicknessProbes(mesh, all, threads, reach / extent.norm());
+  Walls walls = { Eigen::VectorXd::Constant(mesh.P.rows(), std::numeric_limits<double>::infinity()),
+    std::vector<int>(mesh.P.rows(), -1) };
+  if (probes.points.empty())
+  {
+    return walls;
+  }
+  const Outside outside(mesh);
+  const double away = std::cos(WallAngle * Pi / 180.0);
+  ParallelFor(static_cast<int>(probes.points.size()), threads,
+    [&](int begin, int end)
+    {
+      for (int k = begin; k < end; ++k)
+      {
+        const int i = probes.points[k];
+        const int f = probes.triangles[k];
+        const Eigen::RowVector3d opposite =
+          probes.barycentric.row(k) * mesh.P(mesh.F.row(f), AllColumns);
+        if (outside.NormalOf(i).dot(outside.TriangleNormal(f)) <= away && outside.SeesPoint(i) &&
+          outside.SeesTriangle(f, opposite))
+        {
+          walls.thickness(i) = (opposite - mesh.P.row(i)).norm();
+          walls.opposite[i] = f;
+        }
+      }
+    });
+  return walls;
+}
+
+Points ThickenWalls(const TriangleMesh& mesh, double thickness, int threads, const Ground& ground)
+{
+  TriangleMesh thick = mesh;
+  std::vector<char> intersecting;
+  std::vector<char> stuck(mesh.P.rows(), 0);
+  double missing = std::numeric_limits<double>::infinity();
+  for (int pass = 0; pass < Passes; ++pass)
+  {
+    const double wanted = (1.0 + WallSurplus) * thickness;
+    const Walls walls = FindWalls(thick, threads, wanted);
+    const double stillMissing = (thickness - walls.thickness.array().min(thickness)).sum();
+    if (stillMissing == 0.0 || stillMissing > LeastGain * missing)
+    {
+      break;
+    }
+    missing = stillMissing;
+    Eigen::VectorXd d = WantedMotions(thick, walls, wanted, stuck);
+    SpreadAlongEdges(thick, d);
+    if (pass == 0)
+    {
+      intersecting = Intersecting(mesh);
+    }
+    MoveOutward(thick, std::move(d), intersecting, ground, stuck);
+  }
+  return thick.P;
+}
+} // namespace SphericalStyle

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Walls that are too thin to be printed, and made thick enough. [walls]
+#ifndef SphericalStyle_WallThickness_h
+#define SphericalStyle_WallThickness_h
+
+#include "TriangleMesh.h"
+
+#include <limits>
+#include <vector>
+
+namespace SphericalStyle
+{
+/// The two sides of a wall face away from each other by more than this, in degrees: what is near a
+/// sharp edge is no wall.
+constexpr double WallAngle = 120.0;
+
+/// The other side of the wall that each point is on.
+struct Walls
+{
+  Eigen::VectorXd thickness; ///< infinite where there is none, length
+  std::vector<int> opposite; ///< triangle; -1 where there is none
+};
+
+/// Of each point, how far it is to the other side of the wall that it is on: along the ray against
+/// its normal, to what that meets first. Infinite where the ray meets nothing within reach, or
+/// something that does not face away, and where one of the two is inside of another part. length.
+/// @param mesh  closed, facing outward
+/// Cost: trees of the triangles, and three rays for each point.
+Walls FindWalls(
+  const TriangleMesh& mesh, int threads, double reach = std::numeric_limits<double>::infinity());
+
+/// A level along an axis that points on it stay on, and others stay above.
+struct Ground
+{
+  int axis = 0;
+  double level = -std::numeric_limits<double>::infinity();
+};
+
+/// Moves both sides of thin walls outward until no point has less than `thickness` below it. Next
+/// to them the surface follows at a slope of one half, so that no step comes about. Points stay
+/// where two triangles would run through each other that did not do so before.
+/// @param mesh  closed, facing outward; every triangle has an area
+/// @param thickness  length, above 0
+/// @return the points; those of the mesh, to the bit, where nothing is thinner
+Points ThickenWalls(
+  const TriangleMesh& mesh, double thickness, int threads, const Ground& ground = {});
+} // namespace SphericalStyle
+
+#endif
