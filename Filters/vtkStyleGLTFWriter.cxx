@@ -8,6 +8,7 @@
 #include "vtkGLTFTargets.h"
 #include "vtkRoundnessTargets.h"
 #include "vtkSphericalStyleFilter.h"
+#include "vtkWholeFile.h"
 
 #include "vtkCommand.h"
 #include "vtkErrorCode.h"
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -27,36 +27,11 @@ vtkStandardNewMacro(vtkStyleGLTFWriter);
 
 namespace
 {
-bool IsGLTFName(std::string name)
-{
-  std::transform(name.begin(), name.end(), name.begin(),
-    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  const auto ends = [&name](const std::string& ending)
-  {
-    return name.size() > ending.size() &&
-      name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
-  };
-  return ends(".glb") || ends(".gltf");
-}
-
 /// Whether a filter that moves points has made it.
 bool IsRounded(vtkPolyData* model)
 {
   return model->GetPointData()->HasArray("Displacement") &&
     model->GetPointData()->HasArray("TargetDirection");
-}
-
-/// Calls, with the name of the file before messages.
-void Naming(const char* file, const std::function<void()>& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const std::exception& error)
-  {
-    throw std::runtime_error(std::string(file) + ": " + error.what());
-  }
 }
 } // namespace
 
@@ -108,7 +83,7 @@ void vtkStyleGLTFWriter::WriteData()
   const std::string name = this->FileName ? this->FileName : "";
   try
   {
-    if (!IsGLTFName(name))
+    if (!vtkWholeFile::EndsIn(name, { ".glb", ".gltf" }))
     {
       this->SetErrorCode(vtkErrorCode::NoFileNameError);
       throw std::runtime_error("FileName must end in .glb or .gltf; it is \"" + name + "\"");
@@ -139,7 +114,7 @@ void vtkStyleGLTFWriter::Execute(vtkPolyData* input)
   vtkGLTFScene::Scene scene;
   if (this->SourceFileName)
   {
-    Naming(this->SourceFileName,
+    vtkWholeFile::Naming(this->SourceFileName,
       [&]
       {
         document = vtkGLTFDocument::Read(this->SourceFileName);
@@ -167,7 +142,7 @@ void vtkStyleGLTFWriter::Execute(vtkPolyData* input)
   {
     vtkWarningMacro(<< warning);
   }
-  Naming(this->SourceFileName ? this->SourceFileName : this->FileName,
+  vtkWholeFile::Naming(this->SourceFileName ? this->SourceFileName : this->FileName,
     [&]
     {
       if (!this->SourceFileName)
@@ -176,7 +151,7 @@ void vtkStyleGLTFWriter::Execute(vtkPolyData* input)
       }
       vtkGLTFTargets::Add(document, scene, targets, slider);
     });
-  Naming(this->FileName, [&] { document.Write(this->FileName); });
+  vtkWholeFile::Naming(this->FileName, [&] { document.Write(this->FileName); });
   this->NumberOfTargets = static_cast<int>(targets.All.size());
   this->LargestError = targets.Error;
   this->LargestJump = targets.Jump;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGLTFDocument.h"
 
+#include "vtkWholeFile.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -224,24 +226,6 @@ std::string TextOf(const Json& object, const char* key)
 {
   const auto found = object.is_object() ? object.find(key) : object.end();
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-void Save(const std::string& path, const std::initializer_list<const Bytes*>& parts)
-{
-  std::ofstream file(PathOf(path), std::ios::binary | std::ios::trunc);
-  for (const Bytes* part : parts)
-  {
-    if (!part->empty())
-    {
-      file.write(reinterpret_cast<const char*>(part->data()), // NOLINT(*-reinterpret-cast): bytes
-        static_cast<std::streamsize>(part->size()));
-    }
-  }
-  file.close();
-  if (!file)
-  {
-    BadFile("cannot be written; is there such a folder, may you write there, and is there space?");
-  }
 }
 
 Bytes BytesOf(const std::string& text)
@@ -693,11 +677,8 @@ std::size_t vtkGLTFDocument::AddColors(const Bytes& rgba)
 // ---------------------------------------------------------------------------------------- writing
 void vtkGLTFDocument::Write(const std::string& path)
 {
-  std::string ending = path.size() > 5 ? path.substr(path.size() - 5) : "";
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   this->CheckFolder(path);
-  if (ending == ".gltf")
+  if (vtkWholeFile::EndsIn(path, { ".gltf" }))
   {
     this->WriteText(path);
   }
@@ -788,7 +769,7 @@ void vtkGLTFDocument::WriteBinary(const std::string& path)
     append(middle, binary.size());
     append(middle, BinaryChunk);
   }
-  Save(path, { &head, &json, &middle, &binary, &this->OtherChunks });
+  vtkWholeFile::Save(path, { &head, &json, &middle, &binary, &this->OtherChunks });
 }
 
 void vtkGLTFDocument::WriteText(const std::string& path)
@@ -802,5 +783,5 @@ void vtkGLTFDocument::WriteText(const std::string& path)
     }
   }
   const Bytes text = BytesOf(this->Root.dump(2) + "\n");
-  Save(path, { &text });
+  vtkWholeFile::Save(path, { &text });
 }

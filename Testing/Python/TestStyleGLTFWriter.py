@@ -7,6 +7,8 @@ usage: TestStyleGLTFWriter.py DATA_FOLDER
 import functools
 import json
 import os
+import resource
+import signal
 import sys
 import tempfile
 import warnings
@@ -22,6 +24,7 @@ import SurfaceTesting
 import sphericalstyle as ss
 from GLTFFiles import chain
 from SurfaceTesting import points
+from sphericalstyle.messages import Messages
 
 data = os.path.abspath(sys.argv[1])
 read = functools.partial(SurfaceTesting.read, data)
@@ -416,6 +419,23 @@ cloud = vtkPointSource()
 cloud.Update()
 refused(lambda: ss.write_slider(good, cloud.GetOutput()), "no faces")
 assert not os.path.exists(good)
+
+# A disk that is full, or as good as: the file of before stays, and nothing of the new one.
+own = os.path.join(folder, "own.glb")
+with open(own, "rb") as file:
+    before = file.read()
+old = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+limit = resource.getrlimit(resource.RLIMIT_FSIZE)
+resource.setrlimit(resource.RLIMIT_FSIZE, (len(before) // 2, limit[1]))
+try:
+    messages = Messages(writer)
+    assert writer.Write() == 0 and "is there space" in messages.errors[0], messages.errors
+finally:
+    resource.setrlimit(resource.RLIMIT_FSIZE, limit)
+    signal.signal(signal.SIGXFSZ, old)
+with open(own, "rb") as file:
+    assert file.read() == before
+assert not os.path.exists(own + ".part")
 
 
 def with_file(content):
