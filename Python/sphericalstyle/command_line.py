@@ -39,7 +39,8 @@ formats:
   read   {' '.join(sorted(READERS))}
   written  {' '.join(sorted(WRITERS))}
   Texture coordinates and arrays are kept where the format has them: .vtp and .vtk keep everything, .ply colors and
-  texture coordinates, .obj and .glb texture coordinates, .stl shape alone. Files that exist are replaced.
+  texture coordinates, .obj and .glb texture coordinates, .stl and .3mf shape alone. The unit of .3mf is the millimeter.
+  Files that exist are replaced.
 
 exit codes:
   0  every model was rounded
@@ -50,6 +51,7 @@ examples:
   sphericalstyle bunny.ply round.ply
   sphericalstyle bunny.obj round.glb --preset Chibi --roundness 1.2 --picture round.png --report round.json
   sphericalstyle bunny.ply bunny.glb --slider --html bunny.html
+  sphericalstyle bunny.stl bunny.3mf --keep-on-ground
   sphericalstyle models/*.stl --output rounded
   sphericalstyle models rounded --recursive --format ply --report rounded.csv"""
 
@@ -271,7 +273,10 @@ def round_one(job, keywords, view=0.0, progress=None):
         if job.slider:
             write_slider(target, job.source if is_gltf(job.source) else surface, **keywords)
         else:
-            write(target, result)
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                write(target, result)
+            messages.warnings += [str(warning.message) for warning in told]
         if job.page:
             job.page.parent.mkdir(parents=True, exist_ok=True)
             write_page(job.page, surface, title=job.source.stem, **keywords)

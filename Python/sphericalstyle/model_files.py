@@ -19,6 +19,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 from . import meshes, obj_files
+from .SphericalStyleFilters import vtk3MFWriter
 from .messages import Error, Messages, printable
 
 READERS = {
@@ -44,6 +45,7 @@ WRITERS = {
     ".gltf": vtkGLTFWriter,
     ".byu": vtkBYUWriter,
     ".iv": vtkIVWriter,
+    ".3mf": vtk3MFWriter,
 }
 
 
@@ -78,7 +80,7 @@ def whole(place):
     """A temporary path to write to. The file gets its final name when it is complete, and is removed after a failure.
     Links are replaced, not followed."""
     # Some writers look at the ending, and that of PLY adds it.
-    keep = is_gltf(place) or place.suffix.lower() == ".ply"
+    keep = is_gltf(place) or place.suffix.lower() in (".ply", ".3mf")
     part = place.with_name(place.stem + ".part" + place.suffix if keep else place.name + ".part")
     part.unlink(missing_ok=True)
     try:
@@ -162,20 +164,24 @@ def largest_move(surface):
 
 
 def run_writer(writer, path, data):
-    """Writes the data with a VTK writer."""
+    """Writes the data with a VTK writer. Returns its messages, which may have warnings."""
     messages = Messages(writer)
     _set_file_name(writer, path)
     writer.SetInputDataObject(data)
     written = writer.Write()
-    messages.raise_errors(f"{printable(path)}: cannot be written", ModelError)
+    failure = f"{printable(path)}: cannot be written"
+    told = any(text.startswith(failure) for text in messages.errors)
+    messages.raise_errors(None if told else failure, ModelError)
     if written == 0:  # writers of images return nothing
-        raise ModelError(f"{printable(path)}: cannot be written")
+        raise ModelError(failure)
+    return messages
 
 
 def write(path, mesh):
     """Writes a mesh of any kind that sphericalstyle.round takes, whole or not at all. The ending of the name is the
-    format: .ply, .stl, .obj, .vtk, .vtp, .glb, .gltf, .byu or .iv. A file that exists is replaced. Raises a
-    sphericalstyle.Error that says why if it cannot be written."""
+    format: .ply, .stl, .obj, .vtk, .vtp, .glb, .gltf, .byu, .iv or .3mf. A file that exists is replaced. Raises a
+    sphericalstyle.Error that says why if it cannot be written. A StyleWarning says where the mesh of a .3mf is not the
+    closed surface that a slicer wants; its unit is the millimeter."""
     path = pathlib.Path(path)
     surface, _ = meshes.take(mesh, "write")
     name, suffix = printable(path), path.suffix.lower()
@@ -199,16 +205,19 @@ def write(path, mesh):
             switches.append("SaveActivePointColorOn")
         for switch in switches:
             getattr(writer, switch, lambda: None)()
+    messages = None
     with whole(path) as part:
         try:
             if suffix == ".vtp":
                 _write_text(writer, part, data)
             else:
-                run_writer(writer, part, data)
+                messages = run_writer(writer, part, data)
         except ModelError as error:
             raise ModelError(str(error).replace(printable(part), name, 1)) from None
         if not part.is_file() or suffix == ".glb" and not _starts_with(part, b"glTF"):
             raise ModelError(f"{name}: this version of VTK cannot write {suffix}")
+    if suffix == ".3mf":
+        messages.warn()
 
 
 def _write_text(writer, path, data):

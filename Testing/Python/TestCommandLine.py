@@ -207,7 +207,7 @@ if shutil.which("man"):
 refused("name one INPUT and an OUTPUT", creature)
 refused("name one INPUT and an OUTPUT", creature, creature, output / "x.ply")
 refused("no such file or folder", output / "nowhere.ply", output / "x.ply")
-refused("cannot write files .doc; known: .byu", creature, output / "x.doc")
+refused("cannot write files .doc; known: .3mf .byu", creature, output / "x.doc")
 refused("OUTPUT has to be another file", creature, creature)
 refused("--normal-blend must be 0 to 1; it is 3", creature, output / "x.ply", "--normal-blend", 3)
 refused("--roundness must be finite and 0 or more; it is -1", creature, output / "x.ply", "--roundness", -1)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """The filters, the plugin and the Python module open no file, start no program and no connection: they import no
-function that could. The writer of glTF, which is left out, is the one that may.
+function that could. The writers of glTF and 3MF, whose files are left out, may.
 
 usage: TestNoFiles.py PROGRAM_THAT_WRITES_A_FILE LIBRARY_OR_OBJECT...
 """
@@ -15,7 +15,7 @@ symlink chmod truncate opendir system popen fork vfork clone posix_spawn posix_s
 execvp dlopen dlmopen socket connect""".split()
 # C++: file streams and std::filesystem; readers and writers, of files and programs, of VTK and Qt.
 MANGLED = r"_ZNK?St\w*basic_[io]?f(stream|ilebuf)|_ZNK?St10filesystem|" \
-          r"_ZN\d+vtk(?!StyleGLTFWriter)\w*(Reader|Writer)\w*3NewE|" \
+          r"_ZN\d+vtk(?!StyleGLTFWriter|3MFWriter)\w*(Reader|Writer)\w*3NewE|" \
           r"_ZN(5QFile|8QProcess|4QDir)|vtksysProcess|_ZN6vtksys11SystemTools\d+(Fopen|Make|Remove|Copy|Rename|Touch)"
 
 
