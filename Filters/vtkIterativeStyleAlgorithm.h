@@ -58,7 +58,7 @@ public:
   /**
    * Converged: bound on the estimated energy gap (E - E*) / (E_0 - E*), E_0 the energy of the
    * unmoved model, E* that of the minimum. Smaller is nearer and slower. No unit. Above 0, below 1.
-   * Default 1e-4; 1e-3 of vtkCubicStyleFilter.
+   * Default 1e-4; 1e-3 of vtkCubicStyleFilter, 1e-5 of vtkHandleDeformFilter.
    */
   vtkSetRangeMacro(Tolerance, double, 1e-14, 0.5);
   vtkGetMacro(Tolerance, double);
@@ -67,7 +67,8 @@ public:
   ///@{
   /**
    * Bound on local/global iterations, or their exact number with FixedIterations. Reaching it
-   * without convergence is a warning. 0 or more. Default 200; 500 of vtkCubicStyleFilter.
+   * without convergence is a warning. 0 or more. Default 200; 500 of vtkCubicStyleFilter and
+   * vtkHandleDeformFilter.
    */
   vtkSetRangeMacro(MaximumNumberOfIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfIterations, int);

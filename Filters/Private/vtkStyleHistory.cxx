@@ -35,7 +35,10 @@ void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char
   };
   add("Total", [](const Row& r) { return r.energy.Total(); });
   add("Rigid", [](const Row& r) { return r.energy.rigid; });
-  add(secondTerm, [](const Row& r) { return r.energy.spherical; });
+  if (secondTerm)
+  {
+    add(secondTerm, [](const Row& r) { return r.energy.spherical; });
+  }
   add("LocalChange", [](const Row& r) { return r.localChange; });
   add("GlobalChange", [](const Row& r) { return r.globalChange; });
   add("Residual", [](const Row& r) { return r.residual; });

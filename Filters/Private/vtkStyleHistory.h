@@ -18,7 +18,8 @@ namespace vtkStyleHistory
 {
 /// The history as rows; how long each stage took, what solved the system and the spheres (center
 /// and radius) as field data.
-/// @param secondTerm  name of the column of the term beside the rigid one
+/// @param secondTerm  name of the column of the term beside the rigid one; nullptr where there is
+/// none
 void Fill(vtkTable* table, const SphericalStyle::StyleReport& report, const char* secondTerm);
 
 /// The advice as field data.

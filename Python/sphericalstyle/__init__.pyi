@@ -81,6 +81,14 @@ def resize(
     blend_width: float = ...,
     keep_on_ground: bool = ...,
 ) -> _Mesh: ...
+def deform(
+    mesh: _Mesh,
+    handles: Sequence[Union[Mapping[str, Any], Sequence[Any]]],
+    *,
+    independent: bool = ...,
+    tolerance: Optional[float] = ...,
+    maximum_iterations: Optional[int] = ...,
+) -> _Mesh: ...
 def printable(
     mesh: _Mesh,
     *,

@@ -9,6 +9,7 @@
 #include "TermFilters.h"
 
 #include "vtkGaussMapFilter.h"
+#include "vtkHandleDeformFilter.h"
 #include "vtkNonlinearStyleFilter.h"
 #include "vtkSphereProjectionFilter.h"
 #include "vtkSurfaceDiagnostics.h"
@@ -117,6 +118,16 @@ inline std::vector<Subject> Subjects()
         f->SetRefineLongEdgesToOn();
       }),
     SubjectOf<vtkSphereProjectionFilter>("vtkSphereProjectionFilter"),
+    SubjectOf<vtkHandleDeformFilter>("vtkHandleDeformFilter",
+      [](vtkHandleDeformFilter* f)
+      {
+        // Of whatever surface the outermost points of two directions.
+        const double low[10] = { -7, -20, -50, 0, -7, -20, -50, 0, 0, 0 };
+        const double high[10] = { 7, 20, 50, 0, 7, 20.2, 50.3, 0.2, -0.1, 0.1 };
+        f->AddHandle(low);
+        f->AddHandle(high);
+        f->SetMaximumNumberOfIterations(20);
+      }),
     ObserverOf<vtkGaussMapFilter>("vtkGaussMapFilter"),
     ObserverOf<vtkSurfaceMetrics>("vtkSurfaceMetrics"),
     ObserverOf<vtkSurfacePartsFilter>("vtkSurfacePartsFilter",

@@ -278,6 +278,44 @@ void Energy(Checker& check, vtkPolyData* input)
       { "from rest", [](Main* f) { f->SetInitialGuessToRest(); } } });
 }
 
+/// Rows of handles: the factor of the same points is kept, and no result shows what was before.
+void HandleRows(Checker& check, vtkPolyData* input)
+{
+  using Handles = vtkHandleDeformFilter;
+  const auto low = [](double radius, double turn)
+  {
+    const std::array<double, 10> row = { 0, 0, -2, radius, 0, 0, -2, turn, 0, 0 };
+    return row;
+  };
+  const auto high = [](double radius, double lift, double turn)
+  {
+    const std::array<double, 10> row = { 0, 0, 2, radius, 0.1, 0, 2 + lift, 0, 0, turn };
+    return row;
+  };
+  const auto begin = [=](Handles* f)
+  {
+    f->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    f->AddHandle(low(0.4, 0.0).data());
+    f->AddHandle(high(0.4, 0.3, 0.0).data());
+  };
+  const auto set = [](int number, const std::array<double, 10>& row)
+  { return [=](Handles* f) { f->SetHandle(number, row.data()); }; };
+  CheckChanges<Handles>(check, "handles", input, begin,
+    { { "dragged", set(2, high(0.4, 0.6, 0.0)) }, { "turned", set(2, high(0.4, 0.6, 90.0)) },
+      { "both moved", set(1, low(0.4, 30.0)) }, { "more points", set(1, low(0.6, 30.0)) },
+      { "fewer points", set(2, high(0.2, 0.6, 90.0)) },
+      { "parts apart", [](Handles* f) { f->SetComponentCouplingToIndependent(); } },
+      { "parts together", [](Handles* f) { f->SetComponentCouplingToStitched(); } },
+      { "nearer", [](Handles* f) { f->SetTolerance(1e-8); } },
+      { "one handle",
+        [=](Handles* f)
+        {
+          f->RemoveAllHandles();
+          f->AddHandle(high(0.2, 0.6, 90.0).data());
+        } },
+      { "none", [](Handles* f) { f->RemoveAllHandles(); } }, { "two again", begin } });
+}
+
 /// What decides about the mesh, the method and the result.
 void MethodsInTurn(Checker& check, vtkPolyData* input)
 {
@@ -460,6 +498,7 @@ int TestChangedProperties(int, char*[])
   LongEdges(check);
   MethodsInTurn(check, WithSeamAndPart(ball));
   OtherFilters(check, ball);
+  HandleRows(check, WithSeamAndPart(ball));
   Energy(check, ball);
   return check.Result();
 }

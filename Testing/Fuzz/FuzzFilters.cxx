@@ -8,6 +8,7 @@
 #include "TermFilters.h"
 
 #include "vtkGaussMapFilter.h"
+#include "vtkHandleDeformFilter.h"
 #include "vtkMeshMorphingFilter.h"
 #include "vtkNonlinearStyleFilter.h"
 #include "vtkPartSizesFilter.h"
@@ -344,6 +345,31 @@ Subject MakeMeshMorphing(Bytes& bytes)
   return { f, true, grid };
 }
 
+Subject MakeHandleDeform(Bytes& bytes)
+{
+  const auto f = vtkSmartPointer<vtkHandleDeformFilter>::New();
+  SetLoop(bytes, f.Get());
+  f->SetComponentCoupling(bytes.Below(2));
+  SetArrays(bytes, f, 0);
+  for (int count = bytes.Below(5); count > 0; --count)
+  {
+    // Mostly near the model: among numbers of every kind hardly a row would be good.
+    const bool wild = bytes.Below(8) == 1;
+    double row[10];
+    for (double& number : row)
+    {
+      number = wild ? bytes.Any() : bytes.Small();
+    }
+    row[3] = wild ? row[3] : 0.1 * std::abs(row[3]);
+    for (int k = 7; k < 10; ++k)
+    {
+      row[k] *= 20.0;
+    }
+    f->AddHandle(row);
+  }
+  return { f, true };
+}
+
 #ifdef SPHERICALSTYLE_WITH_CGAL
 Subject MakePrintable(Bytes& bytes)
 {
@@ -411,7 +437,7 @@ Subject MakeConvexProxy(Bytes& bytes)
 
 Subject SubjectFromBytes(Bytes& bytes)
 {
-  switch (bytes.Below(17))
+  switch (bytes.Below(18))
   {
     case 0:
       return MakeTermFilter(bytes);
@@ -431,6 +457,8 @@ Subject SubjectFromBytes(Bytes& bytes)
       return MakePartSizes(bytes);
     case 15:
       return MakeParts(bytes);
+    case 17:
+      return MakeHandleDeform(bytes);
     case 11:
       return MakeMeshMorphing(bytes);
 #ifdef SPHERICALSTYLE_WITH_CGAL

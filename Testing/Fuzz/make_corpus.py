@@ -10,7 +10,7 @@ import pathlib
 import random
 import sys
 
-FILTERS = 17  # SubjectFromBytes in FuzzFilters.cxx
+FILTERS = 18  # SubjectFromBytes in FuzzFilters.cxx
 SHARES = 0.05, 0.2, 0.5, 1.0  # of bytes that are not zero
 
 

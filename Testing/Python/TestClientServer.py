@@ -29,6 +29,7 @@ RUNS = {
                                     "DetailSize": 0.0, "KeepSize": "Off"}),
     "long edges split": ("SphericalStyle", {"RefineLongEdges": "On", "MaximumEdgeLength": 0.02}),
     "Convex Proxy Deform": ("ConvexProxyDeform", {"Blend": 0.3, "NumberOfProxyPoints": 500}),
+    "Handle Deform": ("HandleDeform", {"Handle": [0, 0, 0, 0.3, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0.2, 0.1, 1, 0.1, 0, 40, 0]}),
     "Surface Metrics": ("SurfaceMetrics", {"EstimateCondition": 1, "FindSelfIntersections": 0}),
 }
 RUNS |= {entry["label"]: (entry["proxy"], entry["quick"]) for entry in SURFACE_FILTERS.values() if entry["label"] not in RUNS}

@@ -107,12 +107,14 @@ def enumeration_of(name):
 
 
 def check_rows(name, element):
-    """A value for each of several numbers, such as a size for each part: AddName(number, value)."""
+    """Rows of numbers, such as the number of a part and its size: AddName(number, value)."""
     check(element.get("command") == "Add" + name, f"{name}: command {element.get('command')}")
     check(hasattr(Filter, "Add" + name), f"{name}: nothing adds a row")
     check(element.get("clean_command") == f"RemoveAll{name}s", f"{name}: clean_command")
     check(hasattr(Filter, f"RemoveAll{name}s"), f"{name}: nothing removes all")
-    check(element.get("number_of_elements_per_command") == "2", f"{name}: values of a row")
+    labels = element.findall("Hints/ShowComponentLabels/ComponentLabel")
+    check([label.get("component") for label in labels] == [str(k) for k in range(len(labels))], f"{name}: labels")
+    check(element.get("number_of_elements_per_command") == str(len(labels)) != "0", f"{name}: values of a row")
 
 
 def check_array(index, name, element):

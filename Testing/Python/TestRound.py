@@ -28,7 +28,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 import FilterTable
 import SurfaceTesting
 import sphericalstyle as ss
-from sphericalstyle import (meshes, model_files, part_sizes, presets, printing, properties, rounding,
+from sphericalstyle import (handles, meshes, model_files, part_sizes, presets, printing, properties, rounding,
                             surface_parts)
 from SurfaceTesting import faces, points
 
@@ -389,6 +389,27 @@ try:
 except (ValueError, ss.Error) as error:
     assert "NormalBlend of part 0 must be in 0..1" in str(error), error
 
+# ------------------------------------------------------------------------------------------------------------- handles
+low, high = before[before[:, 1].argmin()], before[before[:, 1].argmax()]
+pin = {"place": low, "radius": 0.1}
+up = {"place": high, "to": high + [0.0, 0.3, 0.1], "rotation": (0, 40, 0)}
+posed = ss.deform((before.astype(float), F), [pin, up])
+assert isinstance(posed, tuple) and posed[0].dtype == float
+pinned = np.linalg.norm(before - low, axis=1) <= 0.1
+assert pinned.sum() > 3 and same(posed[0][pinned], before[pinned].astype(float)), "pinned points keep their bits"
+assert same(posed[0][before[:, 1].argmax()], np.asarray(up["to"], dtype=float)), "the place of a handle goes where it says"
+assert same(ss.deform((before.astype(float), F), [(low, 0.1), (high, 0, up["to"], up["rotation"])])[0], posed[0])
+assert same(points(ss.deform(creature, [])), points(creature))
+for wrong, words in ((pin, "handle 1"), ([{"radius": 1}], "must have a place"), ([{**pin, "turn": 1}], "turn"),
+                     ([7], "not 7"), ([{"place": 7}], "handle 1: place"), ([((0, 0), 1)], "3 numbers, not 2"),
+                     ([pin, {**pin, "radius": 0.2}], "row 1 and row 2 both hold point"),
+                     ([{**pin, "radius": -1}], "0 or more"), ([{**pin, "to": (0, np.nan, 0)}], "not finite")):
+    try:
+        ss.deform(creature, wrong)
+        raise AssertionError(wrong)
+    except (TypeError, ValueError, ss.Error) as error:
+        assert words in str(error), error
+
 # ----------------------------------------------------------------------------------------------------------- printable
 if hasattr(ss, "vtkPrintableFilter"):
     printed = ss.printable((before, F), height=80, up_axis="y")
@@ -401,7 +422,7 @@ if hasattr(ss, "vtkPrintableFilter"):
         assert "CloseHoles" in str(error), error
 
 # ------------------------------------------------------------------------------------------------------------ examples
-for module in (rounding, meshes, properties, part_sizes, surface_parts,
+for module in (rounding, meshes, properties, part_sizes, surface_parts, handles,
                *([printing] if hasattr(ss, "vtkPrintableFilter") else [])):
     with contextlib.redirect_stdout(io.StringIO()) as said:  # pvpython's own stream has no encoding
         outcome = doctest.testmod(module)

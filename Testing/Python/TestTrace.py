@@ -53,6 +53,8 @@ CASES = {
     "ConvexProxyDeform": [{"Blend": 0.3, "Transfer": "Offset"}],
     "SurfaceDiagnostics": [{"SliverAngle": 5.0}],
     "PartSizes": [{"PartSize": [1.0, 1.5, 2.0, 0.7]}],
+    "HandleDeform": [{"Handle": [0.0, -1.0, 0.0, 0.2, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0,
+                                 0.0, 1.5, 0.0, 0.2, 0.1, 1.7, 0.0, 0.0, 50.0, 0.0]}],
 }
 CASES |= {entry["proxy"]: [{}] for entry in SURFACE_FILTERS.values() if entry["proxy"] not in CASES}
 tried = 0

@@ -164,7 +164,14 @@ def set_properties(algorithm, properties):
 
 
 def take(algorithm, surface):
-    """Gives it the surface; for vtkPartSizesFilter one with two parts, either side of the middle."""
+    """Gives it the surface; for vtkPartSizesFilter one with two parts, either side of the middle, and to
+    vtkHandleDeformFilter a handle that stays, at the lowest point, and one that turns, at the highest one."""
+    if algorithm.IsA("vtkHandleDeformFilter"):
+        x = points(surface)
+        low, high = x[x[:, 1].argmin()], x[x[:, 1].argmax()]
+        algorithm.RemoveAllHandles()
+        algorithm.AddHandle([*low, 0, *low, 0, 0, 0])
+        algorithm.AddHandle([*high, 0, *(high + 0.1 * (high - low)), 0, 20, 0])
     if algorithm.IsA("vtkPartSizesFilter"):
         x = points(surface)
         array = numpy_to_vtk((x[:, 0] > x[:, 0].mean()).astype(np.int32), deep=True)

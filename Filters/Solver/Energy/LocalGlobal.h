@@ -44,7 +44,7 @@ struct LoopReport
   int iterations = 0;
   bool converged = false;
   bool aborted = false;
-  double restEnergy = 0.0; ///< E_0: the unmoved model; with fixed points, of the blend if more
+  double restEnergy = 0.0; ///< E_0: the unmoved model; with fixed points, of the start if more
   double negligible = 0.0; ///< energies below this are zero
   std::vector<HistoryRow> history;
 };

@@ -3,6 +3,8 @@
 #include "StyleSolver.h"
 
 #include "CenterShares.h"
+#include "Handles.h"
+#include "Parallel.h"
 #include "SolverMesh.h"
 #include "Stage.h"
 #include "Stopwatch.h"
@@ -69,6 +71,9 @@ void CheckOptions(const StyleOptions& o, int n)
   Require(static_cast<Eigen::Index>(o.fixedPoints.size()) == o.fixedPositions.rows(),
     "one position per fixed point is needed");
   Require(o.fixedPositions.allFinite(), "positions of fixed points must be finite");
+  Require(o.fixedTurns.rows() == 0 || o.fixedTurns.rows() == o.fixedPositions.rows(),
+    "one rotation vector per fixed point is needed");
+  Require(o.fixedTurns.allFinite(), "rotation vectors of fixed points must be finite");
   for (const int i : o.fixedPoints)
   {
     Require(i >= 0 && i < n, "a fixed point lies outside the mesh");
@@ -200,6 +205,7 @@ public:
   void FactorGlobal(const EdgeWeights& w, int threads, StyleReport& report);
   void StartFromRest(const StyleOptions& options);
   void StartFromBlend(double radius, Points& Q) const;
+  void TurnBetween(const StyleOptions& options);
   void PrepareLoop(const StyleOptions& options, StyleReport& report);
   void Start(StyleSteps& problem, const StyleOptions& options, const StyleReport& report);
   void ToModelUnits(const StyleOptions& options, StyleReport& report);
@@ -391,6 +397,23 @@ void StyleSolver::State::StartFromBlend(double radius, Points& Q) const
   }
 }
 
+/// [handles] Rotations between those of the fixed points: a solve with the factor that is at hand.
+void StyleSolver::State::TurnBetween(const StyleOptions& options)
+{
+  Points turns = Points::Zero(this->P.rows(), 3);
+  turns(options.fixedPoints, AllColumns) = options.fixedTurns;
+  const Points nothing = Points::Zero(this->P.rows(), 3);
+  this->Global.Use().Solve(nothing, turns, options.threads);
+  ParallelFor(static_cast<int>(this->P.rows()), options.threads,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        this->R[i] = RotationOfVector(turns.row(i).transpose());
+      }
+    });
+}
+
 /// All that depends on the mesh and on few options: triangles, weights, shares.
 EdgeWeights StyleSolver::State::Prepare(const StyleOptions& options, StyleReport& report)
 {
@@ -525,6 +548,10 @@ void StyleSolver::State::Start(
   }
   else
   {
+    if (options.fixedTurns.rows() > 0)
+    {
+      this->TurnBetween(options);
+    }
     problem.SolveGlobal(this->Q);
   }
 }
@@ -544,14 +571,17 @@ StyleReport StyleSolver::State::Solve(const StyleOptions& options, const Callbac
   this->PrepareLoop(options, report);
 
   const Stopwatch iterate;
+  this->Start(problem, options, report);
   if (!options.fixedPoints.empty())
   {
     // Held points can lie anywhere: what is to be gained is then measured from the blend too.
     Points blend = this->Q;
-    problem.SolveGlobal(blend);
+    if (!StartsFromBlend(options))
+    {
+      problem.SolveGlobal(blend);
+    }
     restEnergy = std::max(restEnergy, problem.Evaluate(blend).Total());
   }
-  this->Start(problem, options, report);
 
   LoopOptions loop = options.loop;
   loop.threads = options.threads;

@@ -21,7 +21,7 @@ enum class ComponentCoupling
 
 enum class InitialGuess
 {
-  Blend, ///< R = I and one global step, not counted [start]
+  Blend, ///< R = I, or see fixedTurns, and one global step, not counted [start]
   Rest   ///< the rest points (thesis)
 };
 
@@ -38,6 +38,10 @@ struct StyleOptions : TargetOptions
   LinearMethod linearMethod = LinearMethod::Automatic;
 
   Points fixedPositions; ///< one row per fixed point, where it is exactly
+  /// One rotation vector per fixed point, radians, or none. The start then has rotations that pass
+  /// from one fixed point to the next, harmonic fields of the vectors [handles], in the place of
+  /// R = I. For InitialGuess::Blend without a local term.
+  Points fixedTurns;
 
   /// Another style in the local step; with lambda = 0 it is the whole style. Starts from rest: the
   /// blend is not near its minimum. Counts as the second term of the history.
