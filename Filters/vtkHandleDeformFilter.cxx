@@ -135,7 +135,7 @@ std::vector<Handle> vtkHandleDeformFilter::MakeHandles() const
       throw std::invalid_argument(RowText(k) + " has a number that is not finite");
     }
     Handle handle;
-    handle.place = Eigen::Vector3d(&row[0]);
+    handle.place = Eigen::Vector3d(row.data());
     handle.radius = row[3];
     handle.to = Eigen::Vector3d(&row[4]);
     const Eigen::Vector3d degrees(&row[7]);
@@ -275,7 +275,7 @@ void vtkHandleDeformFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Handles: " << this->Handles.size() << "\n";
   for (const std::array<double, 10>& row : this->Handles)
   {
-    os << indent.GetNextIndent() << Triple(&row[0]) << " " << row[3] << " " << Triple(&row[4])
+    os << indent.GetNextIndent() << Triple(row.data()) << " " << row[3] << " " << Triple(&row[4])
        << " " << Triple(&row[7]) << "\n";
   }
   os << indent << "ComponentCoupling: " << this->ComponentCoupling << "\n";

@@ -622,6 +622,17 @@ if wanted("part-sizes.png") and (MODELS / "human-parts.ply").exists():
                                    keep_on_ground=True), "Chibi, HeadHeight .5"))],
     ], 25.0, 13)
 
+# ----------------------------------------------------------------------------------------- handles
+if wanted("handle-deform.png"):
+    feet = {"place": (0, 0, 0), "radius": 0.3}
+    arm = {"place": (0.45, 0.64, 0.07), "radius": 0.08, "to": (0.4, 0.24, 0.12), "rotation": (0, 0, -100)}
+    head = {"place": (0.05, 0.75, 0), "radius": 0.2, "to": (0.12, 0.74, 0.02), "rotation": (0, 30, -15)}
+    posed = sphericalstyle.deform(creature, [feet, arm, head])
+    picture("handle-deform.png", (1000, 320), [[(of_size_one(surface, creature.GetLength()), title)
+                                                for surface, title in (
+        (creature, "creature"), (posed, "three handles"),
+        (sphericalstyle.round(posed, preset="Soft", keep_on_ground=True), "and Soft"))]], 25.0, 13)
+
 # -------------------------------------------------------------------------------------- comparators
 ours = (rounded(creature), "Spherical Style")
 

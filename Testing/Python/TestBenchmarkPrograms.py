@@ -113,6 +113,15 @@ class Programs(unittest.TestCase):
         for solver, displacement in found.items():
             self.assertAlmostEqual(displacement / found["cgal"], 1.0, delta=1e-9, msg=solver)
 
+    @unittest.skipUnless(os.path.exists(os.path.join(PROGRAMS, "HandleDeformation")), "no CGAL")
+    def test_handles_come_to_the_minimum_of_the_peer(self):
+        for bumps in (0, 0.1):
+            r = run("HandleDeformation", "--divisions", 2, "--bumps", bumps, "--repeats", 1)
+            self.assertLess(r["cgal_rims_difference_to_limit"], 1e-5, bumps)
+            self.assertLess(r["difference_to_limit"], 1e-3, bumps)
+            self.assertAlmostEqual(r["energy"] / r["rims_energy"], 1.0, delta=1e-10, msg=bumps)
+            self.assertAlmostEqual(r["cgal_rims_rims_energy"] / r["rims_energy_of_limit"], 1.0, delta=1e-8, msg=bumps)
+
     def test_comparison(self):
         output = os.path.join(self.folder.name, "comparison")
         options = compare_peers.parse(["--programs", PROGRAMS, "--sizes", "1000", str(SMALL), "--repetitions", "2",

@@ -29,12 +29,13 @@ for k, model in enumerate(models):
     assert ProxyTesting.points(servermanager.Fetch(together).GetBlock(k)) == expected, k
     assert expected != ProxyTesting.points(servermanager.Fetch(model)), k
 
-# ------------------------------------------- the picture: original, one arm up and the head turned, rounded
+# ------------------------------------------- the picture: original, with other arm, tail and head, and rounded
 creature = models[1]
 FEET = [0.0, 0.0, 0.0, 0.3, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
-ARM = [-0.47, 0.38, -0.15, 0.08, -0.42, 0.85, 0.05, 0.0, 0.0, -80.0]
-HEAD = [0.05, 0.75, 0.0, 0.2, 0.12, 0.74, 0.02, 0.0, 30.0, -15.0]
-posed = HandleDeform(Input=creature, Handle=FEET + ARM + HEAD)
+HAND = [0.45, 0.64, 0.07, 0.08, 0.4, 0.24, 0.12, 0.0, 0.0, -100.0]
+TAIL = [-0.47, 0.38, -0.15, 0.08, -0.5, 0.5, -0.18, 0.0, 0.0, -40.0]
+HEAD = [0.05, 0.75, 0.0, 0.2, -0.02, 0.74, 0.02, 0.0, -30.0, 18.0]
+posed = HandleDeform(Input=creature, Handle=FEET + HAND + TAIL + HEAD)
 view = CreateRenderView(ViewSize=[600, 300], UseColorPaletteForBackground=0,
                         Background=[1.0, 1.0, 1.0], OrientationAxesVisibility=0)
 for place, shown in enumerate((creature, posed, SphericalStyle(Input=posed, KeepOnGround=1))):
