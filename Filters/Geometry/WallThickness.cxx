@@ -257,14 +257,18 @@ void MoveOutward(TriangleMesh& mesh, Eigen::VectorXd d, const std::vector<char>&
       return;
     }
     GrowByOneRing(mesh.F, touched);
+    const double most = d.maxCoeff();
+    Eigen::VectorXd less = Eigen::VectorXd::Zero(d.size()); // than the most
     for (Eigen::Index i = 0; i < d.size(); ++i)
     {
       if (touched[i])
       {
-        d(i) *= k < Halvings ? 0.5 : 0.0;
+        less(i) = most - (k < Halvings ? 0.5 * d(i) : 0.0);
         stuck[i] = 1;
       }
     }
+    SpreadAlongEdges(mesh, less);
+    d = d.array().min(most - less.array());
   }
 }
 }
