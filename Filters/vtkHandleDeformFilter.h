@@ -87,10 +87,10 @@ public:
   /**
    * The rows, one for each handle: place x, y, z, radius, move-to x, y, z (model coordinates and
    * length) and rotation vector x, y, z (degrees; its direction is the axis, its length the angle,
-   * up to 36 000). The handle holds all
-   * points within the radius of the place, 0 or more, and always the nearest one; it turns them
-   * about the place, and then moves the place to the move-to point. A handle that stays, with the
-   * place as its move-to point and no rotation, pins its points. No point may be in two handles.
+   * up to 36 000). The handle holds all points within the radius of the place, 0 or more, and
+   * always the nearest one; it turns them about the place, and then moves the place to the move-to
+   * point. A handle that stays, with the place as its move-to point and no rotation, pins its
+   * points. No point may be in two handles.
    *
    * SetHandle replaces a row, counted from 1 on as in the array Handle; GetHandle returns nullptr
    * for a row that there is not. Default: no handle.

@@ -289,7 +289,7 @@ double vtkPartSizesFilter::GetPartRoundness(double part)
   return GetRow(this->Roundness, part, 1.0);
 }
 
-void vtkPartSizesFilter::RemoveAllPartRoundness()
+void vtkPartSizesFilter::RemoveAllPartRoundnesses()
 {
   this->RemoveRows(this->Roundness);
 }
@@ -309,7 +309,7 @@ double vtkPartSizesFilter::GetPartNormalBlend(double part)
   return GetRow(this->NormalBlends, part, -1.0);
 }
 
-void vtkPartSizesFilter::RemoveAllPartNormalBlend()
+void vtkPartSizesFilter::RemoveAllPartNormalBlends()
 {
   this->RemoveRows(this->NormalBlends);
 }

@@ -99,7 +99,7 @@ public:
   void SetPartRoundness(double part, double factor);
   void AddPartRoundness(double part, double factor);
   double GetPartRoundness(double part);
-  void RemoveAllPartRoundness();
+  void RemoveAllPartRoundnesses();
   ///@}
 
   ///@{
@@ -112,7 +112,7 @@ public:
   void SetPartNormalBlend(double part, double blend);
   void AddPartNormalBlend(double part, double blend);
   double GetPartNormalBlend(double part);
-  void RemoveAllPartNormalBlend();
+  void RemoveAllPartNormalBlends();
   ///@}
 
   ///@{

@@ -503,13 +503,13 @@ void Styles(Checker& check)
   bad.Output();
   check(bad.Errors.size() == 1 && Contains(bad.Errors[0], "Roundness of part 3 must be 0 or more"),
     "an error says so" + Joined(bad.Errors));
-  bad->RemoveAllPartRoundness();
+  bad->RemoveAllPartRoundnesses();
   bad->AddPartNormalBlend(Body, 1.5);
   bad.Errors.clear();
   bad.Output();
   check(bad.Errors.size() == 1 && Contains(bad.Errors[0], "NormalBlend of part 7 must be in 0..1"),
     "an error says so" + Joined(bad.Errors));
-  bad->RemoveAllPartNormalBlend();
+  bad->RemoveAllPartNormalBlends();
   bad->AddPartRoundness(Body, 2.0);
   bad->AddPartRoundness(Body, 3.0);
   bad->AddPartNormalBlend(4, 0.5);

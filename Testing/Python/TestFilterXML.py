@@ -110,8 +110,9 @@ def check_rows(name, element):
     """Rows of numbers, such as the number of a part and its size: AddName(number, value)."""
     check(element.get("command") == "Add" + name, f"{name}: command {element.get('command')}")
     check(hasattr(Filter, "Add" + name), f"{name}: nothing adds a row")
-    check(element.get("clean_command") == f"RemoveAll{name}s", f"{name}: clean_command")
-    check(hasattr(Filter, f"RemoveAll{name}s"), f"{name}: nothing removes all")
+    plural = name + ("es" if name.endswith("s") else "s")
+    check(element.get("clean_command") == "RemoveAll" + plural, f"{name}: clean_command")
+    check(hasattr(Filter, "RemoveAll" + plural), f"{name}: nothing removes all")
     labels = element.findall("Hints/ShowComponentLabels/ComponentLabel")
     check([label.get("component") for label in labels] == [str(k) for k in range(len(labels))], f"{name}: labels")
     check(element.get("number_of_elements_per_command") == str(len(labels)) != "0", f"{name}: values of a row")
