@@ -191,10 +191,15 @@ Stand FindStand(const TriangleMesh& mesh, const PrintableOptions& options)
   Stand best;
   double least = std::numeric_limits<double>::infinity();
   std::string problem;
-  for (double area = options.footArea; area <= 1.0; area *= LargerFoot)
+  for (int k = 0;; ++k)
   {
+    const double area = options.footArea * std::pow(LargerFoot, k);
+    const bool isFirst = k == 0;
+    if (area > 1.0 && !isFirst)
+    {
+      break;
+    }
     Stand stand = GiveFoot(mesh, options, area);
-    const bool isFirst = area == options.footArea;
     const bool isBeyond = stand.isOutOfReach || square(stand.depth / deepest) >= least;
     if (isBeyond && !isFirst)
     {

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace SphericalStyle
 {
@@ -217,7 +218,8 @@ int StarMesh::TriangleToward(const Vector3d& d) const
   {
     return hit.GetTriangle();
   }
-  double deepest = -INFINITY;
+  constexpr double Nowhere = -std::numeric_limits<double>::infinity();
+  double deepest = Nowhere;
   int toward = 0;
   for (int f = 0; f < static_cast<int>(this->F.rows()); ++f)
   {
@@ -227,7 +229,7 @@ int StarMesh::TriangleToward(const Vector3d& d) const
     const Vector3d c = this->P.row(this->F(f, 2));
     const Vector3d parts(d.dot(b.cross(c)), d.dot(c.cross(a)), d.dot(a.cross(b)));
     const double sum = this->Outward * parts.sum();
-    const double depth = sum > 0.0 ? this->Outward * parts.minCoeff() / sum : -INFINITY;
+    const double depth = sum > 0.0 ? this->Outward * parts.minCoeff() / sum : Nowhere;
     if (depth > deepest)
     {
       deepest = depth;
