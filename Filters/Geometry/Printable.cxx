@@ -9,9 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace SphericalStyle
 {
@@ -45,12 +45,8 @@ double Extent(const Points& P, int axis)
 
 int CountIntersecting(const TriangleMesh& mesh)
 {
-  std::set<int> triangles;
-  for (const auto& pair : SelfIntersections(mesh))
-  {
-    triangles.insert(pair.begin(), pair.end());
-  }
-  return static_cast<int>(triangles.size());
+  const std::vector<char> intersecting = IntersectingTriangles(mesh);
+  return static_cast<int>(std::count(intersecting.begin(), intersecting.end(), 1));
 }
 
 Eigen::Vector2d Across(const Eigen::Vector3d& p, int axis)

@@ -105,4 +105,15 @@ std::vector<std::array<int, 2>> SelfIntersections(const TriangleMesh& mesh, Eige
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
+
+std::vector<char> IntersectingTriangles(const TriangleMesh& mesh)
+{
+  std::vector<char> intersecting(mesh.F.rows(), 0);
+  for (const auto& pair : SelfIntersections(mesh))
+  {
+    intersecting[pair[0]] = 1;
+    intersecting[pair[1]] = 1;
+  }
+  return intersecting;
+}
 } // namespace SphericalStyle

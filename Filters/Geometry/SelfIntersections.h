@@ -19,6 +19,9 @@ namespace SphericalStyle
 /// @param own  only pairs with one of so many first triangles; -1: all
 /// @return pairs (f, g), f < g, in order
 std::vector<std::array<int, 2>> SelfIntersections(const TriangleMesh& mesh, Eigen::Index own = -1);
+
+/// Of each triangle, 1 if it is in such a pair, else 0.
+std::vector<char> IntersectingTriangles(const TriangleMesh& mesh);
 } // namespace SphericalStyle
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WallThickness.h"
 
+#include "EdgeWeights.h"
 #include "FirstHit.h"
 #include "Frame.h"
 #include "Parallel.h"
@@ -35,18 +36,6 @@ constexpr double WallSlope = 0.5;
 /// How often a motion that makes triangles run through each other is halved before it is given up.
 constexpr int Halvings = 2;
 
-/// Triangles that run through others.
-std::vector<char> Intersecting(const TriangleMesh& mesh)
-{
-  std::vector<char> is(mesh.F.rows(), 0);
-  for (const auto& pair : SelfIntersections(mesh))
-  {
-    is[pair[0]] = 1;
-    is[pair[1]] = 1;
-  }
-  return is;
-}
-
 /// What is outside of a model whose parts may run through each other.
 class Outside
 {
@@ -56,18 +45,13 @@ public:
     , P(Frame.Into(mesh.P))
     , F(mesh.F)
     , Normals(PointNormals(P, F))
+    , OfTriangles(TriangleNormals(P, F))
     , Tree(P, F)
   {
   }
 
   Eigen::Vector3d NormalOf(int point) const { return this->Normals.row(point); }
-  Eigen::Vector3d TriangleNormal(int f) const
-  {
-    const Eigen::Vector3d a = this->P.row(this->F(f, 0));
-    return (this->P.row(this->F(f, 1)).transpose() - a)
-      .cross(this->P.row(this->F(f, 2)).transpose() - a)
-      .normalized();
-  }
+  Eigen::Vector3d TriangleNormal(int f) const { return this->OfTriangles.row(f); }
 
   /// Whether a point is not covered by another part.
   bool SeesPoint(int point) const
@@ -105,6 +89,7 @@ private:
   Points P;
   Triangles F;
   Points Normals;
+  Points OfTriangles; // normals
   TriangleTree Tree;
 };
 
@@ -161,15 +146,18 @@ Points SmoothNormals(const TriangleMesh& mesh, double h)
   {
     entries.emplace_back(i, i, areas(i));
   }
-  for (const auto& t : mesh.F.rowwise())
+  const HalfEdgeScalars cotangents = HalfEdgeCotangents(mesh.P, mesh.F);
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const int i = t[(k + 1) % 3];
-      const int j = t[(k + 2) % 3];
-      const Eigen::Vector3d u = mesh.P.row(i) - mesh.P.row(t[k]);
-      const Eigen::Vector3d v = mesh.P.row(j) - mesh.P.row(t[k]);
-      const double weight = 0.5 * h * h * std::max(0.0, u.dot(v)) / u.cross(v).norm();
+      const int i = mesh.F(f, HalfEdgeStart(k));
+      const int j = mesh.F(f, HalfEdgeEnd(k));
+      const double weight = h * h * cotangents(f, k);
+      if (!(weight > 0.0) || !std::isfinite(weight)) // a triangle without an area has none
+      {
+        continue;
+      }
       entries.emplace_back(i, i, weight);
       entries.emplace_back(j, j, weight);
       entries.emplace_back(i, j, -weight);
@@ -236,7 +224,7 @@ void MoveOutward(TriangleMesh& mesh, Eigen::VectorXd d, const std::vector<char>&
     const auto lowest = 0.5 * (start.col(ground.axis).array() + ground.level);
     mesh.P.col(ground.axis) = (start.col(ground.axis).array() == ground.level)
                                 .select(ground.level, mesh.P.col(ground.axis).array().max(lowest));
-    const std::vector<char> now = Intersecting(mesh);
+    const std::vector<char> now = IntersectingTriangles(mesh);
     std::vector<char> touched(start.rows(), 0);
     bool any = false;
     for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
@@ -327,7 +315,7 @@ Points ThickenWalls(const TriangleMesh& mesh, double thickness, int threads, con
     SpreadAlongEdges(thick, d);
     if (pass == 0)
     {
-      intersecting = Intersecting(mesh);
+      intersecting = IntersectingTriangles(mesh);
     }
     MoveOutward(thick, std::move(d), intersecting, ground, stuck);
   }
