@@ -245,18 +245,14 @@ void MoveOutward(TriangleMesh& mesh, Eigen::VectorXd d, const std::vector<char>&
       return;
     }
     GrowByOneRing(mesh.F, touched);
-    const double most = d.maxCoeff();
-    Eigen::VectorXd less = Eigen::VectorXd::Zero(d.size()); // than the most
     for (Eigen::Index i = 0; i < d.size(); ++i)
     {
       if (touched[i])
       {
-        less(i) = most - (k < Halvings ? 0.5 * d(i) : 0.0);
+        d(i) *= k < Halvings ? 0.5 : 0.0;
         stuck[i] = 1;
       }
     }
-    SpreadAlongEdges(mesh, less);
-    d = d.array().min(most - less.array());
   }
 }
 }
