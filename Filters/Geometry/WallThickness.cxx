@@ -139,10 +139,15 @@ void SpreadAlongEdges(const TriangleMesh& mesh, Eigen::VectorXd& d)
 /// thin.
 Points SmoothNormals(const TriangleMesh& mesh, double h)
 {
+  const Eigen::Index n = mesh.P.rows();
+  if (n == 0)
+  {
+    return {};
+  }
   const Points normals = PointNormals(mesh.P, mesh.F);
   const Eigen::VectorXd areas = PointAreas(mesh.P, mesh.F);
   std::vector<Eigen::Triplet<double>> entries;
-  for (Eigen::Index i = 0; i < areas.size(); ++i)
+  for (Eigen::Index i = 0; i < n; ++i)
   {
     entries.emplace_back(i, i, areas(i));
   }
@@ -164,7 +169,7 @@ Points SmoothNormals(const TriangleMesh& mesh, double h)
       entries.emplace_back(j, i, -weight);
     }
   }
-  Eigen::SparseMatrix<double> A(areas.size(), areas.size());
+  Eigen::SparseMatrix<double> A(n, n);
   A.setFromTriplets(entries.begin(), entries.end());
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(A);
   solver.setTolerance(1e-4);
