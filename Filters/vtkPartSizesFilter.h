@@ -93,9 +93,9 @@ public:
   ///@{
   /**
    * How far a part is rounded, as a multiple of the Roundness of vtkSphericalStyleFilter: .5 for
-   * less than the rest, 1.5 for more. A part travels with its own Roundness, so that far from 1 it
-   * leaves the rest [styles]. No unit, not below 0. Parts without a row have 1, but what hangs on
-   * the head alone goes along with it. Else as for PartSize.
+   * less than the rest, 1.5 for more, 0 for a part that keeps its shape. Parts keep together
+   * [styles]. No unit, not below 0. Parts without a row have 1, but what hangs on the head alone
+   * goes along with it. Else as for PartSize.
    */
   void SetPartRoundness(double part, double factor);
   void AddPartRoundness(double part, double factor);

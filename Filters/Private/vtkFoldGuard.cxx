@@ -30,20 +30,21 @@ IntersectionSearch Search()
 #endif
 }
 
-/// lambda of each point, as the solver takes it.
+/// lambda of each point.
 Eigen::VectorXd Roundness(const StyleOptions& options, Eigen::Index n)
 {
-  return options.roundnessFactors.size() > 0
-    ? Eigen::VectorXd(options.lambda * options.roundnessFactors)
-    : Eigen::VectorXd::Constant(n, options.lambda);
+  const Eigen::VectorXd factors = options.Factors();
+  return factors.size() > 0 ? Eigen::VectorXd(options.lambda * factors)
+                            : Eigen::VectorXd::Constant(n, options.lambda);
 }
 
 MethodOptions WithShares(MethodOptions options, const Eigen::VectorXd& shares)
 {
   if ((shares.array() < 1.0).any()) // or else the options as they are: the same bits
   {
-    options.roundnessFactors = Roundness(options, shares.size()).cwiseProduct(shares);
-    options.lambda = 1.0;
+    options.roundnessFactors = options.roundnessFactors.size() > 0
+      ? Eigen::VectorXd(options.roundnessFactors.cwiseProduct(shares))
+      : shares;
   }
   return options;
 }

@@ -54,7 +54,8 @@ void Read(vtkAlgorithm* self, const vtkSurfaceMesh& surface, vtkPolyData* model,
     return Conversion::GatherPointArray(
       self->GetInputArrayInformation(index), model, surface, Rules[index - ROUNDNESS_FACTOR]);
   };
-  o.roundnessFactors = gather(ROUNDNESS_FACTOR).col(0);
+  (IsChosen(self, ROUNDNESS_FACTOR) ? o.roundnessFactors : o.partFactors) =
+    gather(ROUNDNESS_FACTOR).col(0);
   o.normalBlends = gather(NORMAL_BLEND).col(0);
   if (!IsChosen(self, NORMAL_BLEND))
   {
@@ -62,6 +63,7 @@ void Read(vtkAlgorithm* self, const vtkSurfaceMesh& surface, vtkPolyData* model,
       self->GetInputArrayInformation(NORMAL_BLEND), model, surface, BlendOfParts);
     const auto weight = ofParts.col(1).array();
     o.normalBlends = weight * ofParts.col(0).array() + (1.0 - weight) * o.normalBlend;
+    o.blendsOfParts = o.normalBlends.size() > 0;
   }
   o.targets = gather(TARGET_DIRECTIONS);
   const bool useNormals =

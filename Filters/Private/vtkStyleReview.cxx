@@ -95,7 +95,7 @@ bool CannotThin(const MethodOptions& o, const StyleReport& report)
     return true; // walls are held together [wall]
   }
   return report.closedForm && o.normalBlend == 0.0 && o.normalBlends.size() == 0 &&
-    o.targets.rows() == 0 && o.roundnessFactors.size() == 0 &&
+    o.targets.rows() == 0 && o.Factors().size() == 0 &&
     1.0 / (1.0 + std::sqrt(3.0) * o.lambda) >= ThinnedBelow;
 }
 }

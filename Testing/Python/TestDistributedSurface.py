@@ -347,15 +347,22 @@ def check_parts():
     def targets(filter_):
         filter_.SetInputArrayToProcess(3, 0, 0, 0, "target")
 
-    jobs = [(case, {**options}, None) for case, options in cases.items()]
-    jobs += [("arrays", {}, arrays), ("flat, arrays", flat, arrays), ("targets", flat, targets)]
+    styled = vtkPolyData()  # how parts are to be rounded, taken by these names
+    styled.ShallowCopy(whole)
+    high = np.clip(places[:, 1] - places[:, 1].mean(), 0.0, 1.0)
+    add(styled.GetPointData(), "PartRoundness", 1.0 - high)
+    add(styled.GetPointData(), "PartNormalBlend", np.stack([0.25 + 0.0 * high, high], axis=1))
+
+    jobs = [(case, whole, {**options}, None) for case, options in cases.items()]
+    jobs += [("arrays", whole, {}, arrays), ("flat, arrays", whole, flat, arrays), ("targets", whole, flat, targets),
+             ("parts", styled, {}, None)]
     largest = 0.0
-    for case, options, prepare in jobs:
-        alone = Run(Style, whole, alone=True, prepare=prepare, **options)
+    for case, model, options, prepare in jobs:
+        alone = Run(Style, model, alone=True, prepare=prepare, **options)
         for title, (owner, kind) in pieces.items():
             if title not in ("slices", "scattered") and case not in ("volume", "flat, arrays"):
                 continue
-            piece = Piece(whole, owner, **kind)
+            piece = Piece(model, owner, **kind)
             if kind:  # what a process has of a point that another one owns does not count
                 ghosts = vtk_to_numpy(piece.data.GetPointData().GetArray(GHOSTS)) > 0
                 vtk_to_numpy(piece.data.GetPointData().GetArray("factor"))[ghosts] = 1e3

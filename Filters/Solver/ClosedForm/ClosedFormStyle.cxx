@@ -31,6 +31,8 @@ constexpr double LeastAgreement = 0.2;
 /// The base counts in full where smoothing takes 1 to within 1 %, and not where it is off by 3 %.
 constexpr double MostKnown = 1.5;
 constexpr double LossOfKnown = 50.0;
+/// Of the grid on which parts with a style of their own keep together, fraction of the diagonal.
+constexpr double SizeOfMoves = 0.03;
 
 struct BaseKey
 {
@@ -249,6 +251,7 @@ public:
   Stage<OfVersion, Points> RestBase;       // none without a pose, as the next one
   Stage<OfVersion, BaseSlopes> RestSlopes; // of P
   Stage<ThicknessKey, Eigen::VectorXd> Thickness;
+  Stage<OfMesh, SurfaceGrid> Moves; // of parts
   // Of the pose.
   Stage<OfPose, Eigen::VectorXd> Areas; // of the points
   Stage<LengthKey, double> RestLength;  // of the whole model
@@ -290,6 +293,7 @@ public:
   Points Directions(const ClosedFormOptions& o, const Sphere& sphere, std::vector<int>& onCenter);
   Points MakeTargets(const ClosedFormOptions& o, ClosedFormReport& report);
   Points JointMoves(const ClosedFormOptions& o, const std::vector<Points>& targets) const;
+  Points PartMoves(const ClosedFormOptions& o, const Points& targets);
   void BlendBase(const ClosedFormOptions& o, Points& targets) const;
   void CarryDetails(const ClosedFormOptions& o, Points moved);
   void Place(const ClosedFormOptions& o, ClosedFormReport& report);
@@ -640,6 +644,29 @@ Points ClosedFormStyle::State::Directions(
   return t;
 }
 
+/// Minus the gradient that a share of X has where the share changes, times the areas of the
+/// samples: the right-hand side of the smooth field that undoes it.
+/// @param gradient  of the share, samples x 3 @param X  n x 3 @param slope  samples x 9, added to
+void UndoShare(
+  const SurfaceGrid& grid, const Fields& gradient, const Points& X, int threads, Fields& slope)
+{
+  const Fields means = grid.Means(X, threads);
+  for (Eigen::Index i = 0; i < slope.rows(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      slope.row(i).segment<3>(3 * axis) -= grid.GetWeights()(i) * means(i, axis) * gradient.row(i);
+    }
+  }
+}
+
+/// That field at points.
+Points MovesOf(const SurfaceGrid& grid, const Fields& slope, const Points& P, int threads)
+{
+  const Fields none = Fields::Zero(grid.GetNumberOfSamples(), 3);
+  return grid.AtPoints(grid.Solve(none, slope, threads), P, threads);
+}
+
 /// Several centers: parts keep together. Where the shares change, the targets of the centers do not
 /// agree; the smooth field Y that undoes the gradient of that disagreement moves each part as a
 /// whole [centers].
@@ -647,25 +674,14 @@ Points ClosedFormStyle::State::JointMoves(
   const ClosedFormOptions& o, const std::vector<Points>& targets) const
 {
   const SurfaceGrid& grid = this->Joints->Grid;
-  const int samples = grid.GetNumberOfSamples();
-  Fields slope = Fields::Zero(samples, 9);
+  Fields slope = Fields::Zero(grid.GetNumberOfSamples(), 9);
   for (std::size_t k = 0; k < targets.size(); ++k)
   {
     Points share = Points::Zero(this->P->rows(), 3);
     share.col(0) = this->Joints->Shares.col(static_cast<Eigen::Index>(k));
-    const Fields gradients = grid.Gradients(share, o.threads);
-    const Fields target = grid.Means(targets[k], o.threads);
-    for (int i = 0; i < samples; ++i)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        slope.row(i).segment<3>(3 * axis) -=
-          grid.GetWeights()(i) * target(i, axis) * gradients.row(i).head<3>();
-      }
-    }
+    UndoShare(grid, grid.Gradients(share, o.threads).leftCols<3>(), targets[k], o.threads, slope);
   }
-  const Fields Y = grid.Solve(Fields::Zero(samples, 3), slope, o.threads);
-  return grid.AtPoints(Y, *this->P, o.threads);
+  return MovesOf(grid, slope, *this->P, o.threads);
 }
 
 /// T of each point, and t as a result.
@@ -712,18 +728,76 @@ Points ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFor
   return shared;
 }
 
+/// The share of its way to the target that a point goes [toy].
+double ShareOfWay(double lambda)
+{
+  return 1.0 - 1.0 / (1.0 + std::sqrt(3.0) * lambda);
+}
+
+/// Parts with a style of their own keep together: a part takes the shape of its style, and does not
+/// travel by its style alone. With m the share of the way and a the blend of each point, both
+/// smooth, Y undoes the gradients (T - B) grad m + m dT/da grad a. What makes m smaller beside
+/// (a region, folds) scales T - B.
+/// @param targets  T @return Y, n x 3 [styles]
+Points ClosedFormStyle::State::PartMoves(const ClosedFormOptions& o, const Points& targets)
+{
+  const Eigen::Index n = this->P->rows();
+  Points styles = Points::Zero(n, 3); // m, a
+  Points way = targets - this->GetBase();
+  Eigen::VectorXd shares = Eigen::VectorXd::Constant(n, ShareOfWay(o.lambda));
+  const Eigen::VectorXd factors = o.Factors();
+  for (Eigen::Index i = 0; i < factors.size(); ++i)
+  {
+    shares(i) = ShareOfWay(o.lambda * factors(i));
+  }
+  if (o.partFactors.size() > 0)
+  {
+    for (Eigen::Index i = 0; i < n; ++i)
+    {
+      styles(i, 0) = ShareOfWay(o.lambda * o.partFactors(i));
+      way.row(i) *= styles(i, 0) > 0.0 ? shares(i) / styles(i, 0) : 1.0;
+    }
+  }
+  this->Moves.Update({},
+    [&](SurfaceGrid& grid)
+    {
+      grid = SurfaceGrid(*this->P, *this->F, SizeOfMoves, o.threads, this->Part);
+      grid.FactorPoisson(o.threads);
+    });
+  const SurfaceGrid& grid = this->Moves.Get();
+  Fields slope = Fields::Zero(grid.GetNumberOfSamples(), 9);
+  const bool byBlends = this->Part.Max(o.blendsOfParts ? 1.0 : 0.0) > 0.0;
+  if (o.blendsOfParts)
+  {
+    styles.col(1) = o.normalBlends;
+  }
+  const Fields gradients = grid.Gradients(styles, o.threads);
+  UndoShare(grid, gradients.leftCols<3>(), way, o.threads, slope);
+  if (byBlends)
+  {
+    ClosedFormOptions ends = o;
+    ends.normalBlends.resize(0);
+    ClosedFormReport unused;
+    ends.normalBlend = 1.0;
+    Points change = this->MakeTargets(ends, unused);
+    ends.normalBlend = 0.0;
+    change -= this->MakeTargets(ends, unused);
+    UndoShare(grid, gradients.middleCols<3>(3), shares.asDiagonal() * change, o.threads, slope);
+  }
+  return MovesOf(grid, slope, *this->P, o.threads);
+}
+
 /// Makes B' of T, in its place [toy].
 void ClosedFormStyle::State::BlendBase(const ClosedFormOptions& o, Points& targets) const
 {
   const Points& B = this->GetBase();
+  const Eigen::VectorXd factors = o.Factors();
   ParallelFor(static_cast<int>(B.rows()), o.threads,
     [&](int begin, int end)
     {
       for (int i = begin; i < end; ++i)
       {
-        const double factor = o.roundnessFactors.size() > 0 ? o.roundnessFactors(i) : 1.0;
-        const double mu = std::sqrt(3.0) * o.lambda * factor;
-        const double share = 1.0 - 1.0 / (1.0 + mu);
+        const double share = ShareOfWay(o.lambda * (factors.size() > 0 ? factors(i) : 1.0));
         targets.row(i) = B.row(i) + share * (targets.row(i) - B.row(i));
       }
     });
@@ -852,7 +926,18 @@ ClosedFormReport ClosedFormStyle::Solve(const ClosedFormOptions& options, const 
   s.UpdateBase(options, report);
   const Stopwatch watch;
   Points moved = s.MakeTargets(options, report);
-  s.BlendBase(options, moved);
+  if (options.HasPartStyles(s.Part))
+  {
+    const Points directions = s.Result.directions;
+    const Points moves = s.PartMoves(options, moved);
+    s.Result.directions = directions;
+    s.BlendBase(options, moved);
+    moved += moves;
+  }
+  else
+  {
+    s.BlendBase(options, moved);
+  }
   s.Step();
   s.CarryDetails(options, std::move(moved));
   s.Step();

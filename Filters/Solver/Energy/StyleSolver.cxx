@@ -50,6 +50,7 @@ void CheckOptions(const StyleOptions& o, int n)
   Require(o.loop.maximumNumberOfIterations >= 0, "the number of iterations must be 0 or more");
   const auto sized = [n](Eigen::Index rows) { return rows == 0 || rows == n; };
   Require(sized(o.roundnessFactors.size()), "one roundness factor per point is needed");
+  Require(sized(o.partFactors.size()), "one factor of its part per point is needed");
   Require(sized(o.normalBlends.size()), "one normal blend per point is needed");
   Require(sized(o.normals.rows()), "one normal per point is needed");
   Require(sized(o.targets.rows()), "one target direction per point is needed");
@@ -63,6 +64,9 @@ void CheckOptions(const StyleOptions& o, int n)
   Require(o.roundnessFactors.size() == 0 ||
       (o.roundnessFactors.allFinite() && o.roundnessFactors.minCoeff() >= 0.0),
     "roundness factors must be finite and not negative");
+  Require(
+    o.partFactors.size() == 0 || (o.partFactors.allFinite() && o.partFactors.minCoeff() >= 0.0),
+    "factors of parts must be finite and not negative");
   Require(o.normalBlends.size() == 0 ||
       (o.normalBlends.allFinite() && o.normalBlends.minCoeff() >= 0.0 &&
         o.normalBlends.maxCoeff() <= 1.0),
@@ -436,9 +440,10 @@ EdgeWeights StyleSolver::State::Weights(const StyleOptions& options, StyleReport
 {
   const Stopwatch watch;
   Eigen::VectorXd lambda = Eigen::VectorXd::Constant(this->P.rows(), options.lambda);
-  if (options.roundnessFactors.size() > 0)
+  const Eigen::VectorXd factors = options.Factors();
+  if (factors.size() > 0)
   {
-    lambda = options.lambda * options.roundnessFactors;
+    lambda = options.lambda * factors;
   }
   EdgeWeights weights =
     ComputeEdgeWeights(this->EnergyMesh().Cotangents, this->EnergyMeshTriangles(), lambda,

@@ -58,6 +58,7 @@ ClosedFormOptions MirroredMesh::Into(ClosedFormOptions o) const
   };
   twice(o.roundnessFactors);
   twice(o.normalBlends);
+  twice(o.partFactors);
   o.normals = this->Doubled(o.normals);
   o.targets = this->Doubled(o.targets);
   const int n = static_cast<int>(this->P.rows()) / 2;

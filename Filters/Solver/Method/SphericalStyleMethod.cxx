@@ -203,9 +203,8 @@ void SphericalStyleMethod::SolveClosedForm(
   const ClosedFormReport closed = this->Closed.Solve(this->InFrame(o), callback);
   this->T = this->Take(o, closed, report);
   this->ReportClosedForm(closed, report);
-  const double most = o.roundnessFactors.size() > 0 ? o.roundnessFactors.maxCoeff()
-    : this->P.rows() > 0                            ? 1.0
-                                                    : 0.0;
+  const Eigen::VectorXd factors = o.Factors();
+  const double most = factors.size() > 0 ? factors.maxCoeff() : this->P.rows() > 0 ? 1.0 : 0.0;
   if (o.lambda * this->Part.Max(most) == 0.0) // to the bit
   {
     this->Positions = this->Mesh->P;

@@ -36,6 +36,22 @@ bool TargetOptions::UsesNormals(const SurfacePart& part) const
   return !this->HasTargets(part) && (largest == None ? this->normalBlend : largest) > 0.0;
 }
 
+bool TargetOptions::HasPartStyles(const SurfacePart& part) const
+{
+  return part.Max(this->partFactors.size() > 0 || this->blendsOfParts ? 1.0 : 0.0) > 0.0;
+}
+
+Eigen::VectorXd TargetOptions::Factors() const
+{
+  if (this->partFactors.size() == 0)
+  {
+    return this->roundnessFactors;
+  }
+  return this->roundnessFactors.size() == 0
+    ? this->partFactors
+    : Eigen::VectorXd(this->roundnessFactors.cwiseProduct(this->partFactors));
+}
+
 TargetOptions TargetOptions::Into(const Frame& frame) const
 {
   TargetOptions framed = *this;

@@ -52,6 +52,8 @@ struct TargetOptions
 
   Eigen::VectorXd roundnessFactors; ///< n, >= 0: lambda_i = lambda * factor
   Eigen::VectorXd normalBlends;     ///< n, 0..1: replaces a
+  Eigen::VectorXd partFactors;      ///< n, >= 0: a factor more; parts keep together [styles]
+  bool blendsOfParts = false;       ///< so they do where normalBlends change [styles]
   Points normals;                   ///< n x 3 unit normals; computed where absent
   Points targets;                   ///< n x 3, replaces t
   std::vector<int> fixedPoints;     ///< points outside of the region: they stay
@@ -70,7 +72,11 @@ struct TargetOptions
   bool HasFixedPoints(const SurfacePart& part) const;
   /// Whether normals have a say anywhere.
   bool UsesNormals(const SurfacePart& part = {}) const;
+  /// Whether parts have factors or blends of their own.
+  bool HasPartStyles(const SurfacePart& part) const;
   /// @}
+  /// Both factors of each point; no row where there are none.
+  Eigen::VectorXd Factors() const;
   /// The same in the units of a frame.
   TargetOptions Into(const Frame& frame) const;
 };
