@@ -3,6 +3,7 @@
 #include "PartSizes.h"
 
 #include "DisjointSets.h"
+#include "MeshTopology.h"
 #include "PartShares.h"
 #include "SurfaceMeasures.h"
 
@@ -14,6 +15,7 @@
 #include <limits>
 #include <numeric>
 #include <queue>
+#include <set>
 #include <utility>
 
 namespace SphericalStyle
@@ -152,7 +154,8 @@ PartSizes::PartSizes(const Points& p, const Triangles& F, const std::vector<int>
 }
 
 /// The grid takes what is near for what hangs together, as a hand and the cheek that it touches.
-/// Where triangles connect both, a share fades with the distance along edges.
+/// Where triangles connect a point to a part, the share of that part fades with the distance along
+/// edges. An eye that no triangle connects to its head keeps the shares of the face around it.
 void PartSizes::ShareNothingThroughAir(const Triangles& F, double width)
 {
   const auto count = static_cast<int>(this->Shares.cols());
@@ -177,13 +180,19 @@ void PartSizes::ShareNothingThroughAir(const Triangles& F, double width)
       this->Meet(k, l) |= RootOf(connected, k) != RootOf(connected, l) ? 1 : 0;
     }
   }
+  const std::vector<int> pieces = FirstPointsOfComponents(F, static_cast<int>(this->Shares.rows()));
+  std::set<std::pair<int, int>> there; // piece and part
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    there.insert({ pieces[i], this->Parts[i] });
+  }
   const EdgeDistances distances(this->P, F, FarAlong * width);
   for (int l = 0; l < count; ++l)
   {
     const std::vector<double> along = distances.From(this->Parts, l);
     for (Eigen::Index i = 0; i < this->Shares.rows(); ++i)
     {
-      if (RootOf(connected, this->Parts[i]) == RootOf(connected, l))
+      if (there.count({ pieces[i], l }) > 0)
       {
         const double x =
           std::clamp((FarAlong - along[i] / width) / (FarAlong - NearAlong), 0.0, 1.0);

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Handles.h"
 
-#include "DisjointSets.h"
+#include "MeshTopology.h"
 #include "UnitScale.h"
 
 #include <Eigen/Geometry>
-
-#include <numeric>
 
 namespace SphericalStyle
 {
@@ -70,26 +68,20 @@ constexpr double FarthestMove = 1e6; // diagonals
 /// Of each point: whether its component has a point of a handle.
 std::vector<char> HasHandle(const TriangleMesh& mesh, const std::vector<int>& ofPoints)
 {
-  std::vector<int> parents(ofPoints.size());
-  std::iota(parents.begin(), parents.end(), 0);
-  for (const auto& f : mesh.F.rowwise())
-  {
-    JoinSets(parents, f[0], f[1]);
-    JoinSets(parents, f[0], f[2]);
-  }
-  std::vector<char> ofRoots(ofPoints.size(), 0);
   const auto n = static_cast<int>(ofPoints.size());
+  const std::vector<int> first = FirstPointsOfComponents(mesh.F, n);
+  std::vector<char> held(ofPoints.size(), 0);
   for (int i = 0; i < n; ++i)
   {
     if (ofPoints[i] >= 0)
     {
-      ofRoots[RootOf(parents, i)] = 1;
+      held[first[i]] = 1;
     }
   }
   std::vector<char> has(ofPoints.size());
   for (int i = 0; i < n; ++i)
   {
-    has[i] = ofRoots[RootOf(parents, i)];
+    has[i] = held[first[i]];
   }
   return has;
 }

@@ -42,6 +42,22 @@ void CheckTriangles(const Triangles& F, int n, RepeatedPoints repeated)
 }
 }
 
+std::vector<int> FirstPointsOfComponents(const Triangles& F, int numberOfPoints)
+{
+  std::vector<int> first(numberOfPoints);
+  std::iota(first.begin(), first.end(), 0);
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    JoinSets(first, F(f, 0), F(f, 1));
+    JoinSets(first, F(f, 0), F(f, 2));
+  }
+  for (int i = 0; i < numberOfPoints; ++i)
+  {
+    first[i] = RootOf(first, i);
+  }
+  return first;
+}
+
 MeshTopology::MeshTopology(const Triangles& F, int numberOfPoints, RepeatedPoints repeated)
   : F(F)
 {
@@ -71,18 +87,12 @@ MeshTopology::MeshTopology(const Triangles& F, int numberOfPoints, RepeatedPoint
     this->Corners[next[corner[c]]++] = c;
   }
 
-  std::vector<int> parent(n);
-  std::iota(parent.begin(), parent.end(), 0);
-  for (Eigen::Index f = 0; f < this->F.rows(); ++f)
-  {
-    JoinSets(parent, this->F(f, 0), this->F(f, 1));
-    JoinSets(parent, this->F(f, 0), this->F(f, 2));
-  }
+  const std::vector<int> first = FirstPointsOfComponents(this->F, n);
   std::vector<int> number(n, -1);
   this->Components.resize(n);
   for (int i = 0; i < n; ++i)
   {
-    int& id = number[RootOf(parent, i)];
+    int& id = number[first[i]];
     if (id < 0)
     {
       id = static_cast<int>(this->LastPoints.size());

@@ -16,6 +16,10 @@ enum class RepeatedPoints
   Allowed
 };
 
+/// The component of each point, what triangles connect: its first point, so that a point of no
+/// triangle is one of its own. @param numberOfPoints  n
+std::vector<int> FirstPointsOfComponents(const Triangles& F, int numberOfPoints);
+
 class MeshTopology
 {
 public:
