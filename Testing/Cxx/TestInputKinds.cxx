@@ -536,10 +536,15 @@ void CheckKinds(Checker& check, const Subject& subject, const std::vector<Kind>&
       continue;
     }
     kept(kind.input);
-    CheckSame(check, kept, fresh, ", after a good surface");
-    kept(good);
-    CheckSame(check, kept, first, ", back at a good surface");
+    CheckSame(check, kept, fresh, ", after another surface");
+    if (OutcomeOf(subject, kind))
+    {
+      kept(good);
+      CheckSame(check, kept, first, ", back at a good surface");
+    }
   }
+  kept(good);
+  CheckSame(check, kept, first, ", back at a good surface");
 }
 
 //------------------------------------------------------------------------------------------------
