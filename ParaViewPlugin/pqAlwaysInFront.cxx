@@ -28,7 +28,15 @@ pqAlwaysInFront::pqAlwaysInFront(vtkPVXMLElement* xml, pqPropertyWidget* widget)
   : pqPropertyWidgetDecorator(xml, widget)
 {
   auto* interactive = qobject_cast<pqInteractivePropertyWidget*>(widget);
-  vtkSMProxy* prop = interactive ? interactive->widgetProxy()->GetRepresentationProxy() : nullptr;
+  if (interactive)
+  {
+    apply(interactive->widgetProxy());
+  }
+}
+
+void pqAlwaysInFront::apply(vtkSMNewWidgetRepresentationProxy* widget)
+{
+  vtkSMProxy* prop = widget->GetRepresentationProxy();
   auto* handle =
     prop ? vtkPointHandleRepresentation3D::SafeDownCast(prop->GetClientSideObject()) : nullptr;
   if (!handle)

@@ -15,12 +15,17 @@
 
 #include "pqPropertyWidgetDecorator.h"
 
+class vtkSMNewWidgetRepresentationProxy;
+
 class pqAlwaysInFront : public pqPropertyWidgetDecorator
 {
   Q_OBJECT
 
 public:
   pqAlwaysInFront(vtkPVXMLElement* xml, pqPropertyWidget* widget);
+
+  /// The same for a handle that is there already.
+  static void apply(vtkSMNewWidgetRepresentationProxy* widget);
 };
 
 #endif

@@ -11,6 +11,7 @@
 #include "pqSettingCheckBox.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
+#include "pqViewHandles.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
@@ -91,7 +92,8 @@ pqUpdateWhileDragging::pqUpdateWhileDragging(vtkPVXMLElement* xml, pqPropertyWid
   this->connect(widget, SIGNAL(startInteraction()), SLOT(start()));
   this->connect(widget, SIGNAL(interaction()), SLOT(follow()));
   this->connect(widget, SIGNAL(endInteraction()), SLOT(finish()));
-  if (qobject_cast<pqInteractivePropertyWidgetAbstract*>(widget))
+  if (qobject_cast<pqInteractivePropertyWidgetAbstract*>(widget) ||
+    qobject_cast<pqViewHandles*>(widget))
   {
     this->addCheckBox();
   }

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Handles in the view that can be dragged, any number of them, for numbers that have a widget of
+/// their own in the panel. Base of widgets of groups. The handles are there while the filter is
+/// selected, the widget is shown and the filter was applied once; nothing hides them.
+///
+/// The signals are those that pqUpdateWhileDragging follows.
+#ifndef pqViewHandles_h
+#define pqViewHandles_h
+
+#include "pqPropertyWidget.h"
+#include "vtkSmartPointer.h"
+
+#include <QTimer>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+class pqPipelineSource;
+class vtkSMNewWidgetRepresentationProxy;
+
+class pqViewHandles : public pqPropertyWidget
+{
+  Q_OBJECT
+  Q_PROPERTY(int shownHandles READ shownHandles) ///< for tests
+
+public:
+  using Place = std::array<double, 3>;
+
+  /// @param numbers  the handles follow them
+  pqViewHandles(vtkSMProxy* proxy, vtkSMProperty* numbers, QWidget* parent);
+  ~pqViewHandles() override;
+
+  void select() override;
+  void deselect() override;
+  void setView(pqView* view) override;
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+  int shownHandles() const;
+
+Q_SIGNALS:
+  void startInteraction();
+  void interaction();
+  void endInteraction();
+
+protected:
+  vtkSMProperty* numbers() const { return this->Numbers; }
+  /// As the panel shows them. @{
+  std::vector<double> shownNumbers() const;
+  void showNumbers(const std::vector<double>& values);
+  /// @}
+  /// The filter, unless Apply was never pressed: then it must not be executed.
+  pqPipelineSource* executedSource() const;
+  void refreshSoon();
+
+  virtual std::vector<Place> places() const = 0;
+  virtual void dragBegins() {}
+  virtual void handleMoved(int handle, const Place& to) = 0;
+
+private:
+  class Handle;
+
+  void refresh();
+  void numbersChanged();
+  void dragged(Handle* handle, unsigned long event);
+
+  vtkSmartPointer<vtkSMProperty> Numbers;
+  unsigned long Observers[2];
+  QTimer Timer;
+  std::vector<std::unique_ptr<Handle>> Handles;
+  Handle* Dragged = nullptr;
+};
+
+#endif

@@ -1,0 +1,184 @@
+# SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs in ParaView's window: drags handles of Handle Deform, and the lengths of a target of Spherical Style, by mouse
+events, and looks at what the model does meanwhile and afterward. Prints "dragged" at the end, or an error, and ends
+the window. A step begins when the window has done what came of the one before."""
+import os
+import shutil
+import subprocess
+import sys
+import traceback
+
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+view = simple.GetActiveViewOrCreate("RenderView")
+undo = servermanager.vtkSMProxyManager.GetProxyManager().GetUndoStackBuilder().GetUndoStack()
+
+
+def values(proxy, name):
+    return numpy.array(proxy.GetPropertyValue(name)[:], dtype=float)
+
+
+def points(proxy):
+    return vtk_to_numpy(servermanager.Fetch(proxy).GetPoints().GetData()).astype(float)
+
+
+def shape(style):
+    """Extents of the target."""
+    return numpy.diff(numpy.reshape(style.GetDataInformation(2).GetBounds(), (3, 2))).ravel()
+
+
+def to_screen(point):
+    renderer = view.GetRenderer()
+    renderer.SetWorldPoint(*point, 1.0)
+    renderer.WorldToDisplay()
+    return [round(x) for x in renderer.GetDisplayPoint()[:2]]
+
+
+def mouse(event, place):
+    interactor = view.GetInteractor()
+    interactor.SetEventInformation(place[0], place[1], 0, 0, chr(0), 0, None)
+    interactor.InvokeEvent(event)
+
+
+def drag(begin, end):
+    """From one pixel to another: the steps of it, after each of which the window does what comes of it."""
+    mouse("MouseMoveEvent", begin)
+    yield
+    mouse("LeftButtonPressEvent", begin)
+    yield
+    for share in numpy.linspace(0.1, 1.0, 10):
+        mouse("MouseMoveEvent", [round(a + share * (b - a)) for a, b in zip(begin, end)])
+        yield
+    yield
+    yield "down"
+    mouse("LeftButtonReleaseEvent", end)
+    for _ in range(4):
+        yield
+
+
+def handles(bar):
+    """Two handles, at the ends of a bar; the one on the right is dragged up."""
+    posed = simple.HandleDeform(Input=bar)
+    posed.Handle = [-2, 0, 0, 0.5, -2, 0, 0, 0, 0, 0, 2, 0, 0, 0.5, 2, 0, 0, 0, 0, 0]
+    simple.Show(posed, view)
+    simple.Hide(bar, view)
+    simple.SetActiveSource(posed)
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, 0, 12], [0, 0, 0], [0, 1, 0]
+    simple.Render(view)
+    for _ in range(4):
+        yield
+    before = points(posed)
+    right = before[:, 0] > 1.9
+    begin = to_screen([2, 0, 0])
+    end = to_screen([2, 1, 0])
+    for state in drag(begin, end):
+        if state == "down":
+            moved = points(posed) - before
+            assert moved[right, 1].min() > 0.8, ("the model does not follow while the button is down", moved[right, 1])
+        yield
+    rows = values(posed, "Handle").reshape(2, 10)
+    assert abs(rows[1, 4:7] - [2, 1, 0]).max() < 0.05, ("the handle is not where it was let go", rows)
+    assert abs(rows[0, 4:7] - [-2, 0, 0]).max() == 0.0, ("the other one has moved", rows)
+    top = posed.GetDataInformation().GetBounds()[3]
+    assert abs(top - rows[1, 5] - 0.25) < 1e-5, ("what it holds does not go where it is put", top, rows)
+    assert undo.GetUndoSetLabel(0) == "Drag", "Fetch leaves changes of its own, but only in the drag"
+    undo.Undo()
+    yield
+    assert abs(values(posed, "Handle").reshape(2, 10)[1, 4:7] - [2, 0, 0]).max() == 0.0, "one undo should take it back"
+    if shutil.which("xdotool"):
+        yield from put_down(posed)
+    simple.Delete(posed)
+
+
+def put_down(posed):
+    """P over the result puts a handle there, whose place is that of the point on the model."""
+    posed.Handle = [-2, 0, 0, 0.5, -2, 1, 0, 0, 0, 0, 2, 0, 0, 0.5, 2, 1, 0, 0, 0, 0]  # moves all of it up
+    simple.Render(view)
+    wanted = to_screen([0.25, 1.0, 0.25])
+    screen = [640, 480]
+    for _ in range(3):  # where on the screen the view is shows where the mouse comes to
+        subprocess.run(["xdotool", "mousemove"] + [str(x) for x in screen], check=True)
+        for _ in range(4):
+            yield
+        x, y = view.GetInteractor().GetEventPosition()
+        screen = [screen[0] + wanted[0] - x, screen[1] - wanted[1] + y]
+    subprocess.run(["xdotool", "search", "--name", "^ParaView", "windowfocus"], check=True)  # no window manager does
+    for key in (["click", "1"], ["key", "p"]):
+        for _ in range(4):
+            yield
+        subprocess.run(["xdotool"] + key, check=True)
+    for _ in range(6):
+        yield
+    helper = servermanager.vtkSMPropertyHelper(posed.SMProxy, "Handle")
+    helper.SetUseUnchecked(True)
+    assert helper.GetNumberOfElements() == 30, "P should add a row"
+    row = numpy.array([helper.GetAsDouble(20 + k) for k in range(10)])
+    assert abs(row[:3] - [0.25, 0.0, 0.25]).max() < 0.05, ("not the point under the mouse", row)
+    assert abs(row[4:7] - row[:3] - [0.0, 1.0, 0.0]).max() < 1e-6, ("not where that point is on the model", row)
+    assert abs(row[3] - 0.05 * (16 + 0.5) ** 0.5) < 1e-6 and not row[7:].any(), row
+
+
+def lengths(ball):
+    """A ball that is drawn toward an ellipsoid, which a handle makes longer."""
+    style = simple.SphericalStyle(Input=ball, NormalBlend=0.0, Target="Ellipsoid")
+    simple.Show(style, view)
+    simple.Hide(ball, view)
+    simple.SetActiveSource(style)
+    view.CameraPosition, view.CameraFocalPoint = [0, 0, 8], [0, 0, 0]
+    simple.Render(view)
+    for _ in range(4):
+        yield
+    before = points(style)
+    extent = shape(style)
+    begin = to_screen([0.5 * extent[0], 0, 0])
+    end = to_screen([0.75 * extent[0], 0, 0])
+    for state in drag(begin, end):
+        if state == "down":
+            assert numpy.ptp(points(style)[:, 0]) > 1.1 * numpy.ptp(before[:, 0]), "the model does not follow"
+        yield
+    given, now = values(style, "TargetLengths"), shape(style)
+    assert given[0] > 1.5 * given[1] and abs(given[1] / given[2] - 1.0) < 0.01, given
+    assert 1.35 * extent[0] < now[0] < 1.7 * extent[0], ("the shape ends far from the mouse", extent, now)
+    assert numpy.ptp(points(style)[:, 0]) > 1.2 * numpy.ptp(points(style)[:, 1]), "the model has the shape's lengths"
+    style.Target = "Sphere"
+    simple.Render(view)
+    for _ in range(4):
+        yield
+    there = to_screen([0.5 * now[0], 0, 0])
+    for _ in drag(there, end):
+        yield
+    assert (values(style, "TargetLengths") == given).all(), "a sphere has no handles"
+
+
+def steps():
+    box = simple.Box(XLength=4.0, YLength=0.5, ZLength=0.5)
+    bar = simple.Subdivide(Input=simple.Triangulate(Input=box), NumberofSubdivisions=4)
+    yield from handles(bar)
+    yield from lengths(simple.Sphere(ThetaResolution=48, PhiResolution=48, Radius=1.0))
+
+
+run = steps()
+
+
+def step(interactor, _):
+    """Next one; the window handles its own events before the next tick."""
+    try:
+        next(run)
+        return
+    except StopIteration:
+        print("dragged", flush=True)
+    except BaseException:  # also AssertionError
+        traceback.print_exc()
+        print("ERROR: see above", flush=True)
+    interactor.RemoveObserver(observer)
+    sys.stdout.flush()
+    os._exit(0)
+
+
+interactor = view.GetInteractor()
+simple.Render(view)
+observer = interactor.AddObserver("TimerEvent", step)
+interactor.CreateRepeatingTimer(150)
