@@ -644,6 +644,8 @@ Points ClosedFormStyle::State::Directions(
   return t;
 }
 
+namespace
+{
 /// Minus the gradient that a share of X has where the share changes, times the areas of the
 /// samples: the right-hand side of the smooth field that undoes it.
 /// @param gradient  of the share, samples x 3 @param X  n x 3 @param slope  samples x 9, added to
@@ -665,6 +667,13 @@ Points MovesOf(const SurfaceGrid& grid, const Fields& slope, const Points& P, in
 {
   const Fields none = Fields::Zero(grid.GetNumberOfSamples(), 3);
   return grid.AtPoints(grid.Solve(none, slope, threads), P, threads);
+}
+
+/// The share of its way to the target that a point goes [toy].
+double ShareOfWay(double lambda)
+{
+  return 1.0 - 1.0 / (1.0 + std::sqrt(3.0) * lambda);
+}
 }
 
 /// Several centers: parts keep together. Where the shares change, the targets of the centers do not
@@ -728,16 +737,10 @@ Points ClosedFormStyle::State::MakeTargets(const ClosedFormOptions& o, ClosedFor
   return shared;
 }
 
-/// The share of its way to the target that a point goes [toy].
-double ShareOfWay(double lambda)
-{
-  return 1.0 - 1.0 / (1.0 + std::sqrt(3.0) * lambda);
-}
-
 /// Parts with a style of their own keep together: a part takes the shape of its style, and does not
 /// travel by its style alone. With m the share of the way and a the blend of each point, both
-/// smooth, Y undoes the gradients (T - B) grad m + m dT/da grad a. What makes m smaller beside
-/// (a region, folds) scales T - B.
+/// smooth, Y undoes the gradients (T - B) grad m + m dT/da grad a. Factors of points that are
+/// there, too, scale T - B.
 /// @param targets  T @return Y, n x 3 [styles]
 Points ClosedFormStyle::State::PartMoves(const ClosedFormOptions& o, const Points& targets)
 {

@@ -116,6 +116,10 @@ struct PreviewPlaces
 /// each moves as a whole [centers]. The grid of shares and joints has the size of the blend, but at
 /// least .02.
 ///
+/// Parts with a factor of lambda or a blend of their own: B'_i as above, plus a field Y with grad Y
+/// nearest to - (T - B) grad m - m dT/da grad a, m = mu / (1 + mu): so that parts keep together and
+/// are not drawn out where m and a change [styles]. Its grid has the size .03.
+///
 /// Of a surface that is spread over processes each calls SetMesh, Solve and Carry with its part and
 /// the same options but for arrays, and gets its part of the result: that of one process up to
 /// rounding. Sent are the samples of the grids and sums over them, whatever the number of points,
