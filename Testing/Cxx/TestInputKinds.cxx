@@ -519,7 +519,9 @@ void CheckSound(Checker& check, const Subject& subject, const Kind& kind, Run& r
   }
 }
 
-void CheckKinds(Checker& check, const Subject& subject, const std::vector<Kind>& kinds)
+/// @param number  of the subject: where the page says nothing of it, every third kind comes after
+/// others, another third than for the next subject
+void CheckKinds(Checker& check, const Subject& subject, int number, const std::vector<Kind>& kinds)
 {
   const Surface good = MakeBall();
   Run first(subject);
@@ -531,13 +533,19 @@ void CheckKinds(Checker& check, const Subject& subject, const std::vector<Kind>&
     check.About(subject.name + ", " + kind.name);
     Run fresh(subject);
     CheckSound(check, subject, kind, fresh);
+    const bool always = OutcomeOf(subject, kind) != nullptr;
+    const bool isNext = ++number % 3 == 0;
     if (kind.input->GetNumberOfPoints() > 2000) // takes seconds
+    {
+      continue;
+    }
+    if (!always && !isNext)
     {
       continue;
     }
     kept(kind.input);
     CheckSame(check, kept, fresh, ", after another surface");
-    if (OutcomeOf(subject, kind))
+    if (always)
     {
       kept(good);
       CheckSame(check, kept, first, ", back at a good surface");
@@ -651,9 +659,10 @@ int TestInputKinds(int, char*[])
     Append(kinds, group);
   }
   Checker check;
+  int number = 0;
   for (const Subject& subject : Subjects())
   {
-    CheckKinds(check, subject, kinds);
+    CheckKinds(check, subject, number++, kinds);
     CheckChanges(check, subject);
   }
   return check.Result();

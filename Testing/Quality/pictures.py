@@ -42,6 +42,7 @@ def flat(surface):
 
 def sheets(folder, models, titles):
     """models: (name, x, F, [Deformed of each title]). sheet-1.png and so on."""
+    folder.mkdir(parents=True, exist_ok=True)
     for first in range(0, len(models), ROWS):
         strips = []
         for name, x, F, results in models[first:first + ROWS]:
