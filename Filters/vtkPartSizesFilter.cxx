@@ -345,6 +345,13 @@ int vtkPartSizesFilter::Execute(
   vtkResizedParts parts = this->TakeParts(input, surface);
   Warn(this, Conversion::FannedRemark(surface));
   Warn(this, Conversion::SkippedRemark(surface));
+  if ((parts.Roundness.Any() || parts.NormalBlends.Any()) &&
+    input->GetPointData()->HasArray("TargetDirection"))
+  {
+    Warn(this,
+      "The model is rounded already. Rows of PartRoundness and PartNormalBlend say how a Spherical "
+      "Style that comes after this filter rounds: put this filter before it");
+  }
   Points Q = surface.Mesh.P;
   SphericalStyle::Fields shares;
   if (surface.Mesh.F.rows() > 0)

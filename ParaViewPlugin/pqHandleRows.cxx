@@ -40,8 +40,9 @@ pqHandleRows::pqHandleRows(
   this->setShowLabel(false);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  auto* hint = new QLabel(tr("Point at the model and press P to put a handle there. Drag handles "
-                             "in the view; those that you leave where they are hold their place."),
+  auto* hint = new QLabel(tr("Click in the view, point at the model and press P to put a handle "
+                             "there. Drag handles; those that you leave where they are hold "
+                             "their place, all that is within their Radius."),
     this);
   hint->setWordWrap(true);
   hint->setObjectName("Hint");

@@ -8,6 +8,7 @@
 #include "pqServerManagerModel.h"
 #include "pqSettingCheckBox.h"
 #include "pqSpherePropertyWidget.h"
+#include "pqTargetLengths.h"
 #include "pqUndoStack.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
@@ -80,6 +81,14 @@ pqTargetSphereWidget::~pqTargetSphereWidget()
 void pqTargetSphereWidget::select()
 {
   this->pqPropertyWidget::select();
+  for (const auto* handles : this->parentWidget()->findChildren<pqTargetLengths*>())
+  {
+    for (const auto signal : { &pqViewHandles::startInteraction, &pqViewHandles::endInteraction })
+    {
+      QObject::connect(
+        handles, signal, this, &pqTargetSphereWidget::updateSphere, Qt::UniqueConnection);
+    }
+  }
   this->Timer.start(); // which of the widgets beside this one are shown is not settled yet
 }
 
@@ -155,7 +164,10 @@ pqPipelineSource* pqTargetSphereWidget::executedSource() const
 
 bool pqTargetSphereWidget::isSphereWanted() const
 {
-  if (!this->isSelected() || !this->ShowSphere->isChecked() || !this->executedSource())
+  const auto lengths = this->parentWidget()->findChildren<pqTargetLengths*>();
+  const bool dragged = std::any_of(
+    lengths.begin(), lengths.end(), [](const auto* handles) { return handles->isDragged(); });
+  if (!this->isSelected() || !(dragged || this->ShowSphere->isChecked()) || !this->executedSource())
   {
     return false;
   }

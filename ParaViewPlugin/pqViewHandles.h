@@ -40,6 +40,7 @@ public:
   void hideEvent(QHideEvent* event) override;
 
   int shownHandles() const;
+  bool isDragged() const { return this->Dragged != nullptr; }
 
 Q_SIGNALS:
   void startInteraction();
