@@ -515,6 +515,22 @@ void Styles(Checker& check)
   both->GetPointData()->AddArray(own);
   check(SamePoints(rounded(both, true, false), rounded(chosen, true, false)), "chosen ones first");
 
+  vtkNew<vtkDoubleArray> directions;
+  directions->SetName("TargetDirection");
+  directions->SetNumberOfComponents(3);
+  directions->SetNumberOfTuples(all->GetNumberOfPoints());
+  directions->Fill(0.0);
+  const Surface result = Copied(all);
+  result->GetPointData()->AddArray(directions);
+  Sizes late(result);
+  late->SetPartSize(HeadPart, 1.2);
+  late->Update();
+  check(late.Warnings.empty(), "sizes may come after the rounding" + Joined(late.Warnings));
+  late->SetPartRoundness(HeadPart, 2.0);
+  late->Update();
+  check(late.Warnings.size() == 1 && Contains(late.Warnings[0], "rounded already"),
+    "a warning says that roundness comes too late" + Joined(late.Warnings));
+
   check.About("bad styles of parts");
   Sizes bad(all);
   bad->SetPartRoundness(HeadPart, -1.0);

@@ -179,6 +179,13 @@ void CheckMessages(Checker& check)
   both.Get()->SetMinimumThickness(0.0);
   both.Get()->SetFootArea(1.0);
   refuses(both, "makes a foot of");
+  // Of a ball of radius r, pi (2 z r - z^2) is .35 of 4 r^2 at z = .255 r.
+  both.Get()->SetFootArea(0.35);
+  both.Warnings.clear();
+  both.Output();
+  check(both.Warnings.size() == 1 &&
+      Contains(both.Warnings.front(), "takes 13 % of the height off the model"),
+    "a warning says how much is cut off" + Joined(both.Warnings));
   both.Get()->SetFootArea(0.0);
   refuses(both, "need a flat foot");
   both.Get()->SetStabilityAngle(0.0);
