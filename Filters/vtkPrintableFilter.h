@@ -59,7 +59,7 @@ public:
   /**
    * The least area of the flat foot, as a fraction of the rectangle that the bounds of the model
    * cover on the ground. The model is cut as low as that takes, and not at all where it has such a
-   * foot; higher where it could not stand otherwise. 0: no cut. Range 0..1, default .02. An error,
+   * foot; higher where it could not stand otherwise. 0: no cut. Range 0..1, default .03. An error,
    * with the area in reach, where a cut of a fifth of the height is not enough; a warning where it
    * takes more than a tenth.
    */
@@ -163,7 +163,7 @@ private:
   /// RequestData, which turns what this throws into a message.
   int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
-  double FootArea = 0.02;
+  double FootArea = 0.03;
   double StabilityAngle = 10.0;
   double MinimumThickness = 0.0;
   double Volume = 0.0;

@@ -18,7 +18,7 @@ constexpr double MostLean = 10.0;
 struct PrintableOptions
 {
   int axis = 1;           ///< that points up
-  double footArea = 0.02; ///< share of the bounds' rectangle, or more so that it stands; 0: no cut
+  double footArea = 0.03; ///< share of the bounds' rectangle, or more so that it stands; 0: no cut
   double stabilityAngle = 10.0; ///< degrees; 0: it does not lean
   double thickness = 0.0;       ///< of walls of the result at least, length; 0: as they are
   double volume = 0.0;          ///< of the result, length^3; 0: that of the mesh

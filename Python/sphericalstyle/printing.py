@@ -5,7 +5,7 @@ from . import SphericalStyleFilters, meshes
 from .messages import Error, execute
 
 
-def printable(mesh, *, foot_area=0.02, stability_angle=10.0, minimum_thickness=0.0, volume=0.0, height=0.0,
+def printable(mesh, *, foot_area=0.03, stability_angle=10.0, minimum_thickness=0.0, volume=0.0, height=0.0,
               close_holes=False, place_on_plate=True, up_axis="Y"):
     """Returns a copy of a mesh that can be printed: with a flat foot, standing, closed, and of the wanted size.
 

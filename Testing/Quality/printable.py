@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Models at Toy made ready for a printer, and what admesh and PrusaSlicer find in them.
 
-Each is rounded, made 60 high with walls of at least 1, and written as STL. admesh has to find nothing to repair, and
+Each is rounded, made 60 high with walls of at least 1 and a foot of .05, and written as STL. admesh has to find nothing to repair, and
 PrusaSlicer has to call it a manifold and slice it without repair. Pictures show the model before and after, and layers
 of the print on their plate. Without admesh or prusa-slicer (Debian) what they say is left out.
 
@@ -26,6 +26,7 @@ import surfaces
 NAMES = ("Data/creature", "Data/snowman", "bunny", "koala", "skull", "spot", "armadillo", "demosthenes-bust", "human-parts",
          "nefertiti", "wingnut", "boot", "lucy")
 HEIGHT, THICKNESS, ANGLE = 60.0, 1.0, 10.0  # mm, mm, degrees
+FOOT = 0.05  # of the rectangle of the bounds
 VOLUME_ERROR = 1e-6
 #: Points that stay thinner: where the rounded model runs through itself already, at ears, lips and folds of cloth.
 THIN = {"skull": 1, "human-parts": 253, "lucy": 589}
@@ -96,7 +97,7 @@ def draw_plates(path, plates):
 def printed(name, surface, thickness=THICKNESS):
     """The filter after it has run, with HEIGHT and walls of this thickness."""
     filter_ = sphericalstyle.vtkPrintableFilter()
-    surfaces.set_properties(filter_, {"Height": HEIGHT, "MinimumThickness": thickness, "StabilityAngle": ANGLE,
+    surfaces.set_properties(filter_, {"Height": HEIGHT, "MinimumThickness": thickness, "FootArea": FOOT, "StabilityAngle": ANGLE,
                                       "CloseHoles": 1, "PlaceOnPlate": 1, "OutputPointsPrecision": 1,
                                       "UpAxis": "XYZ".index(UP_AXES.get(name, "Y"))})
     filter_.SetInputData(surface)
