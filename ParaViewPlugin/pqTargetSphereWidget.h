@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Says in the panel of a filter whether its center is inside of the model, and shows the target
-/// sphere in the view while the filter is selected, if that is asked for, and any target while its
-/// lengths are dragged. For an information property of a filter with an output port "Target Sphere":
+/// Says in the panel of a filter whether its center is inside of the model. Shows the target sphere
+/// in the view while the filter is selected, where that is asked for, and any target while its
+/// lengths are dragged. For an information property, and an output port "Target Sphere":
 ///
 ///     <PropertyGroup panel_widget="TargetSphere">
 ///       <Property function="CenterPosition" name="CenterPosition"/>
