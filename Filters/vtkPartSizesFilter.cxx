@@ -180,6 +180,16 @@ void SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
   }
 }
 
+/// Of styles for a model that is rounded already.
+std::string LateRemark(vtkPolyData* input, const vtkResizedParts& parts)
+{
+  const bool late = (parts.Roundness.Any() || parts.NormalBlends.Any()) &&
+    input->GetPointData()->HasArray("TargetDirection");
+  return late ? "The model is rounded already. Rows of PartRoundness and PartNormalBlend say how a "
+                "Spherical Style that comes after this filter rounds: put this filter before it"
+              : "";
+}
+
 /// The arrays of [styles], where there are rows for them.
 void AddStyles(vtkPolyData* output, const vtkSurfaceMesh& surface, const vtkResizedParts& parts,
   const SphericalStyle::Fields& shares)
@@ -345,13 +355,7 @@ int vtkPartSizesFilter::Execute(
   vtkResizedParts parts = this->TakeParts(input, surface);
   Warn(this, Conversion::FannedRemark(surface));
   Warn(this, Conversion::SkippedRemark(surface));
-  if ((parts.Roundness.Any() || parts.NormalBlends.Any()) &&
-    input->GetPointData()->HasArray("TargetDirection"))
-  {
-    Warn(this,
-      "The model is rounded already. Rows of PartRoundness and PartNormalBlend say how a Spherical "
-      "Style that comes after this filter rounds: put this filter before it");
-  }
+  Warn(this, LateRemark(input, parts));
   Points Q = surface.Mesh.P;
   SphericalStyle::Fields shares;
   if (surface.Mesh.F.rows() > 0)
