@@ -15,9 +15,6 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
-#include <QLabel>
-#include <QVBoxLayout>
-
 namespace
 {
 constexpr std::size_t RowSize = 10; // place, radius, move-to, rotation
@@ -35,18 +32,11 @@ vtkSmartPointer<vtkSMSourceProxy> NewSource(vtkSMProxy* beside, const char* grou
 
 pqHandleRows::pqHandleRows(
   vtkSMProxy* smproxy, vtkSMPropertyGroup* /*group*/, QWidget* parentWidget)
-  : pqViewHandles(smproxy, smproxy->GetProperty("Handle"), parentWidget)
+  : pqViewHandles(smproxy, smproxy->GetProperty("Handle"),
+      tr("Click in the view, point at the model and press P to put a handle there. Drag handles; "
+         "those that you leave where they are hold their place, all that is within their Radius."),
+      parentWidget)
 {
-  this->setShowLabel(false);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  auto* hint = new QLabel(tr("Click in the view, point at the model and press P to put a handle "
-                             "there. Drag handles; those that you leave where they are hold "
-                             "their place, all that is within their Radius."),
-    this);
-  hint->setWordWrap(true);
-  hint->setObjectName("Hint");
-  layout->addWidget(hint);
   auto* picking = new pqPointPickingHelper(QKeySequence(tr("P")), true, this);
   picking->connect(this, SIGNAL(viewChanged(pqView*)), SLOT(setView(pqView*)));
   this->connect(

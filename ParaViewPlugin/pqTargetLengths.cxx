@@ -7,9 +7,6 @@
 #include "vtkPVDataInformation.h"
 #include "vtkSMSourceProxy.h"
 
-#include <QLabel>
-#include <QVBoxLayout>
-
 #include <algorithm>
 #include <cmath>
 
@@ -22,15 +19,9 @@ constexpr double Shortest = 0.1; // of the longest, as in vtkSphericalStyleFilte
 
 pqTargetLengths::pqTargetLengths(
   vtkSMProxy* smproxy, vtkSMPropertyGroup* /*group*/, QWidget* parentWidget)
-  : pqViewHandles(smproxy, smproxy->GetProperty("TargetLengths"), parentWidget)
+  : pqViewHandles(smproxy, smproxy->GetProperty("TargetLengths"),
+      tr("Drag the handles in the view to change the lengths."), parentWidget)
 {
-  this->setShowLabel(false);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  auto* hint = new QLabel(tr("Drag the handles in the view to change the lengths."), this);
-  hint->setWordWrap(true);
-  hint->setObjectName("Hint");
-  layout->addWidget(hint);
 }
 
 pqTargetLengths::Extent pqTargetLengths::extent() const

@@ -16,6 +16,9 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSessionProxyManager.h"
 
+#include <QLabel>
+#include <QVBoxLayout>
+
 #include <algorithm>
 
 /// A handle of ParaView's own, in no pipeline browser, state, trace or undo.
@@ -38,17 +41,14 @@ public:
     for (const unsigned long event : { vtkCommand::StartInteractionEvent,
            vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent })
     {
-      this->Tags.push_back(this->Proxy->AddObserver(event, this, &Handle::tell));
+      this->Observers.add(this->Proxy, event, this, &Handle::tell);
     }
   }
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
   ~Handle()
   {
-    for (const unsigned long tag : this->Tags)
-    {
-      this->Proxy->RemoveObserver(tag);
-    }
+    this->Observers.clear();
     this->addTo(nullptr);
   }
 
@@ -108,17 +108,26 @@ private:
   pqViewHandles* Owner;
   vtkSmartPointer<vtkSMNewWidgetRepresentationProxy> Proxy;
   QPointer<pqRenderView> View;
-  std::vector<unsigned long> Tags;
+  pqObservers Observers;
 };
 
 //------------------------------------------------------------------------------------------------
-pqViewHandles::pqViewHandles(vtkSMProxy* smproxy, vtkSMProperty* numbers, QWidget* parentWidget)
+pqViewHandles::pqViewHandles(
+  vtkSMProxy* smproxy, vtkSMProperty* numbers, const QString& hint, QWidget* parentWidget)
   : pqPropertyWidget(smproxy, parentWidget)
   , Numbers(numbers)
-  , Observers{ numbers->AddObserver(
-                 vtkCommand::UncheckedPropertyModifiedEvent, this, &pqViewHandles::numbersChanged),
-    numbers->AddObserver(vtkCommand::ModifiedEvent, this, &pqViewHandles::numbersChanged) }
 {
+  this->setShowLabel(false);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* label = new QLabel(hint, this);
+  label->setWordWrap(true);
+  label->setObjectName("Hint");
+  layout->addWidget(label);
+  for (const auto event : { vtkCommand::ModifiedEvent, vtkCommand::UncheckedPropertyModifiedEvent })
+  {
+    this->Observers.add(numbers, event, this, &pqViewHandles::refreshSoon);
+  }
   this->setChangeAvailableAsChangeFinished(false);
   this->Timer.setSingleShot(true);
   this->Timer.setInterval(1); // one of no time would wait until the mouse rests
@@ -132,13 +141,7 @@ pqViewHandles::pqViewHandles(vtkSMProxy* smproxy, vtkSMProperty* numbers, QWidge
   }
 }
 
-pqViewHandles::~pqViewHandles()
-{
-  for (const unsigned long tag : this->Observers)
-  {
-    this->Numbers->RemoveObserver(tag);
-  }
-}
+pqViewHandles::~pqViewHandles() = default;
 
 void pqViewHandles::select()
 {
@@ -208,11 +211,6 @@ pqPipelineSource* pqViewHandles::executedSource() const
 void pqViewHandles::refreshSoon()
 {
   this->Timer.start();
-}
-
-void pqViewHandles::numbersChanged()
-{
-  this->refreshSoon();
 }
 
 void pqViewHandles::refresh()

@@ -9,6 +9,7 @@
 #ifndef pqViewHandles_h
 #define pqViewHandles_h
 
+#include "pqObservers.h"
 #include "pqPropertyWidget.h"
 #include "vtkSmartPointer.h"
 
@@ -29,8 +30,8 @@ class pqViewHandles : public pqPropertyWidget
 public:
   using Place = std::array<double, 3>;
 
-  /// @param numbers  the handles follow them
-  pqViewHandles(vtkSMProxy* proxy, vtkSMProperty* numbers, QWidget* parent);
+  /// @param numbers  the handles follow them @param hint  what the panel says of them
+  pqViewHandles(vtkSMProxy* proxy, vtkSMProperty* numbers, const QString& hint, QWidget* parent);
   ~pqViewHandles() override;
 
   void select() override;
@@ -65,11 +66,10 @@ private:
   class Handle;
 
   void refresh();
-  void numbersChanged();
   void dragged(Handle* handle, unsigned long event);
 
   vtkSmartPointer<vtkSMProperty> Numbers;
-  unsigned long Observers[2];
+  pqObservers Observers;
   QTimer Timer;
   std::vector<std::unique_ptr<Handle>> Handles;
   Handle* Dragged = nullptr;
