@@ -77,7 +77,8 @@ def handles(bar):
     for state in drag(begin, end):
         if state == "down":
             moved = points(posed) - before
-            assert moved[right, 1].min() > 0.8, ("the model does not follow while the button is down", moved[right, 1])
+            # At the first step already. Where updates take long, later ones wait: see pqUpdateWhileDragging.
+            assert moved[right, 1].min() > 0.05, ("the model does not follow while the button is down", moved[right, 1])
         yield
     rows = values(posed, "Handle").reshape(2, 10)
     assert abs(rows[1, 4:7] - [2, 1, 0]).max() < 0.05, ("the handle is not where it was let go", rows)
@@ -137,7 +138,7 @@ def lengths(ball):
     end = to_screen([0.75 * extent[0], 0, 0])
     for state in drag(begin, end):
         if state == "down":
-            assert numpy.ptp(points(style)[:, 0]) > 1.1 * numpy.ptp(before[:, 0]), "the model does not follow"
+            assert numpy.ptp(points(style)[:, 0]) > 1.01 * numpy.ptp(before[:, 0]), "the model does not follow"
         yield
     given, now = values(style, "TargetLengths"), shape(style)
     assert given[0] > 1.5 * given[1] and abs(given[1] / given[2] - 1.0) < 0.01, given
