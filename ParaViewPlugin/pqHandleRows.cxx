@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqHandleRows.h"
 
-#include "pqPipelineSource.h"
 #include "pqPointPickingHelper.h"
+#include "pqSourceOf.h"
 #include "pqUndoStack.h"
 #include "vtkBoundingBox.h"
 #include "vtkNew.h"
@@ -70,7 +70,7 @@ void pqHandleRows::addHandle(double x, double y, double z)
 pqHandleRows::Place pqHandleRows::placeOnModel(const Place& shown) const
 {
   Place place = shown;
-  if (!this->executedSource())
+  if (!pqExecutedSourceOf(this->proxy()))
   {
     return place;
   }

@@ -8,6 +8,7 @@
 #include "pqPropertiesPanel.h"
 #include "pqServerManagerModel.h"
 #include "pqShownValue.h"
+#include "pqSourceOf.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkAlgorithm.h"
@@ -73,8 +74,7 @@ bool HasPointArray(vtkSMSourceProxy* source, const char* name)
 pqLook::pqLook(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parentWidget)
   : pqPropertyWidget(smproxy, parentWidget)
   , Before(new QPushButton(tr("&Before"), this))
-  , Source(
-      pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(smproxy))
+  , Source(pqSourceOf(smproxy))
 {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

@@ -10,6 +10,7 @@
 #include "pqPropertiesPanel.h"
 #include "pqPropertyWidgetDecorator.h"
 #include "pqServerManagerModel.h"
+#include "pqSourceOf.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkAlgorithm.h"
@@ -42,17 +43,12 @@
 
 namespace
 {
-pqPipelineSource* FindItem(vtkSMProxy* proxy)
-{
-  return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(proxy);
-}
-
 /// None before the input was executed: asking for it would do that.
 vtkPVDataInformation* KnownData(vtkSMProxy* proxy)
 {
   const vtkSMPropertyHelper input(proxy, "Input");
   auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  const pqPipelineSource* item = FindItem(source);
+  const pqPipelineSource* item = pqSourceOf(source);
   return item && item->modifiedState() != pqProxy::UNINITIALIZED
     ? source->GetDataInformation(input.GetOutputPort())
     : nullptr;
@@ -153,7 +149,8 @@ void pqProblem::select()
 void pqProblem::watchInput()
 {
   QObject::disconnect(this->InputUpdated);
-  if (pqPipelineSource* input = FindItem(vtkSMPropertyHelper(this->proxy(), "Input").GetAsProxy()))
+  if (pqPipelineSource* input =
+        pqSourceOf(vtkSMPropertyHelper(this->proxy(), "Input").GetAsProxy()))
   {
     // Not in the middle of the update that tells of it.
     this->InputUpdated =
@@ -301,7 +298,7 @@ void pqProblem::extractSurface()
 {
   vtkSMPropertyHelper input(this->proxy(), "Input");
   auto* model = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  const QPointer<pqPipelineSource> item = FindItem(this->proxy());
+  const QPointer<pqPipelineSource> item = pqSourceOf(this->proxy());
   const QPointer<pqPropertiesPanel> panel = pqAncestor<pqPropertiesPanel>(this);
   if (!model || !item)
   {
@@ -318,7 +315,7 @@ void pqProblem::extractSurface()
   controller->PostInitializeProxy(surface);
   surface->UpdateVTKObjects();
   controller->RegisterPipelineProxy(surface);
-  if (pqPipelineSource* surfaceItem = FindItem(surface))
+  if (pqPipelineSource* surfaceItem = pqSourceOf(surface))
   {
     surfaceItem->setModifiedState(pqProxy::UNMODIFIED);
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqTargetLengths.h"
 
-#include "pqPipelineSource.h"
+#include "pqSourceOf.h"
 #include "vtkBoundingBox.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMSourceProxy.h"
@@ -28,7 +28,7 @@ pqTargetLengths::Extent pqTargetLengths::extent() const
 {
   Extent extent;
   auto* source = vtkSMSourceProxy::SafeDownCast(this->proxy());
-  if (!this->executedSource() || !source)
+  if (!pqExecutedSourceOf(this->proxy()) || !source)
   {
     return extent;
   }

@@ -7,6 +7,7 @@
 #include "pqRenderView.h"
 #include "pqServerManagerModel.h"
 #include "pqSettingCheckBox.h"
+#include "pqSourceOf.h"
 #include "pqSpherePropertyWidget.h"
 #include "pqTargetLengths.h"
 #include "pqUndoStack.h"
@@ -51,8 +52,7 @@ pqTargetSphereWidget::pqTargetSphereWidget(
   this->Timer.setSingleShot(true);
   this->Timer.setInterval(1); // one of no time would wait until the mouse rests
   this->connect(&this->Timer, SIGNAL(timeout()), SLOT(refresh()));
-  auto* source =
-    pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(smproxy);
+  pqPipelineSource* source = pqSourceOf(smproxy);
   if (source)
   {
     // Not in the middle of the update that tells of it.
@@ -138,7 +138,8 @@ void pqTargetSphereWidget::startCustom(vtkObject* mode, unsigned long, void*)
   vtkSMPropertyHelper applied(static_cast<vtkSMProperty*>(mode));
   vtkSMPropertyHelper chosen(static_cast<vtkSMProperty*>(mode));
   chosen.SetUseUnchecked(true);
-  if (!this->executedSource() || applied.GetAsInt() == Custom || chosen.GetAsInt() != Custom)
+  if (!pqExecutedSourceOf(this->proxy()) || applied.GetAsInt() == Custom ||
+    chosen.GetAsInt() != Custom)
   {
     return;
   }
@@ -152,22 +153,13 @@ void pqTargetSphereWidget::startCustom(vtkObject* mode, unsigned long, void*)
   custom.Set(effective.data(), static_cast<unsigned int>(effective.size()));
 }
 
-/// The filter, unless Apply was never pressed: then nothing must be executed, not even for a
-/// picture.
-pqPipelineSource* pqTargetSphereWidget::executedSource() const
-{
-  auto* source =
-    pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
-      this->proxy());
-  return source && source->modifiedState() != pqProxy::UNINITIALIZED ? source : nullptr;
-}
-
 bool pqTargetSphereWidget::isSphereWanted() const
 {
   const auto lengths = this->parentWidget()->findChildren<pqTargetLengths*>();
   const bool dragged = std::any_of(
     lengths.begin(), lengths.end(), [](const auto* handles) { return handles->isDragged(); });
-  if (!this->isSelected() || !(dragged || this->ShowSphere->isChecked()) || !this->executedSource())
+  if (!this->isSelected() || !(dragged || this->ShowSphere->isChecked()) ||
+    !pqExecutedSourceOf(this->proxy()))
   {
     return false;
   }

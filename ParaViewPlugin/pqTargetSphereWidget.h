@@ -25,7 +25,6 @@
 #include <map>
 
 class QLabel;
-class pqPipelineSource;
 class pqSettingCheckBox;
 class vtkSMPropertyGroup;
 
@@ -51,7 +50,6 @@ private Q_SLOTS:
 private:
   void updateStatement();
   void startCustom(vtkObject* mode, unsigned long, void*);
-  pqPipelineSource* executedSource() const;
   bool isSphereWanted() const;
   void makeSphere();
   void addToView(bool add);

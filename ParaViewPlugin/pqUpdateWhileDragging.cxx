@@ -9,6 +9,7 @@
 #include "pqProxyWidget.h"
 #include "pqServerManagerModel.h"
 #include "pqSettingCheckBox.h"
+#include "pqSourceOf.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "pqViewHandles.h"
@@ -28,15 +29,6 @@
 #include <QGridLayout>
 
 #include <utility>
-
-namespace
-{
-pqPipelineSource* FindSource(pqPropertyWidget* widget)
-{
-  return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
-    widget->proxy());
-}
-}
 
 //------------------------------------------------------------------------------------------------
 /// Holds warnings back, and then gives those of the last update. What comes to ParaView's window of
@@ -124,8 +116,7 @@ void pqUpdateWhileDragging::addCheckBox()
 
 bool pqUpdateWhileDragging::isWanted() const
 {
-  const pqPipelineSource* source = FindSource(this->parentWidget());
-  return source && source->modifiedState() != pqProxy::UNINITIALIZED &&
+  return pqExecutedSourceOf(this->parentWidget()->proxy()) &&
     (this->CheckBox ? this->CheckBox->isChecked()
                     : vtkPVGeneralSettings::GetInstance()->GetAutoApply());
 }
@@ -222,7 +213,7 @@ void pqUpdateWhileDragging::setPreview(bool on)
 void pqUpdateWhileDragging::update()
 {
   const pqProxyWidget* panel = pqAncestor<pqProxyWidget>(this->parentWidget());
-  pqPipelineSource* source = FindSource(this->parentWidget());
+  pqPipelineSource* source = pqSourceOf(this->parentWidget()->proxy());
   pqView* view = this->parentWidget()->view();
   if (!panel || !source || !view)
   {

@@ -7,6 +7,7 @@
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
 #include "pqServerManagerModel.h"
+#include "pqSourceOf.h"
 #include "pqUndoStack.h"
 #include "vtkCommand.h"
 #include "vtkHandleRepresentation.h"
@@ -132,8 +133,7 @@ pqViewHandles::pqViewHandles(
   this->Timer.setSingleShot(true);
   this->Timer.setInterval(1); // one of no time would wait until the mouse rests
   QObject::connect(&this->Timer, &QTimer::timeout, this, [this] { this->refresh(); });
-  auto* source =
-    pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(smproxy);
+  pqPipelineSource* source = pqSourceOf(smproxy);
   if (source)
   {
     QObject::connect(source, qOverload<pqPipelineSource*>(&pqPipelineSource::dataUpdated), this,
@@ -198,14 +198,6 @@ void pqViewHandles::showNumbers(const std::vector<double>& values)
   vtkSMPropertyHelper helper(this->Numbers.Get());
   helper.SetUseUnchecked(true);
   helper.Set(values.data(), static_cast<unsigned int>(values.size()));
-}
-
-pqPipelineSource* pqViewHandles::executedSource() const
-{
-  auto* source =
-    pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
-      this->proxy());
-  return source && source->modifiedState() != pqProxy::UNINITIALIZED ? source : nullptr;
 }
 
 void pqViewHandles::refreshSoon()

@@ -19,7 +19,6 @@
 #include <memory>
 #include <vector>
 
-class pqPipelineSource;
 class vtkSMNewWidgetRepresentationProxy;
 
 class pqViewHandles : public pqPropertyWidget
@@ -54,8 +53,6 @@ protected:
   std::vector<double> shownNumbers() const;
   void showNumbers(const std::vector<double>& values);
   /// @}
-  /// The filter, unless Apply was never pressed: then it must not be executed.
-  pqPipelineSource* executedSource() const;
   void refreshSoon();
 
   virtual std::vector<Place> places() const = 0;
