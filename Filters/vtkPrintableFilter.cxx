@@ -3,6 +3,7 @@
 #include "vtkPrintableFilter.h"
 
 #include "ClosedSurface.h"
+#include "ManifoldSurface.h"
 #include "Orientation.h"
 #include "Printable.h"
 #include "vtkFilterSupport.h"
@@ -47,6 +48,7 @@ struct ClosedInput
   TriangleMesh Mesh;
   std::vector<vtkIdType> InputPoints; // of each point
   std::vector<vtkIdType> InputCells;  // of each triangle; -1 in filled holes
+  int NonManifoldEdges = 0;           // of the input
   int HolesClosed = 0;
 };
 
@@ -80,22 +82,22 @@ ClosedInput Close(const vtkSurfaceMesh& surface, bool closeHoles)
 {
   ClosedInput closed;
   closed.InputPoints = surface.FirstInputPoints();
-  closed.Mesh.P = surface.Mesh.P;
-  closed.Mesh.F = SphericalStyle::OrientOutward(surface.Mesh.P, surface.Mesh.F);
-  for (Eigen::Index f = 0; f < closed.Mesh.F.rows(); ++f)
+  const auto at = [&](int point) { return std::to_string(closed.InputPoints[point]); };
+  DerivedSurface manifold = SphericalStyle::Underived(
+    { surface.Mesh.P, SphericalStyle::OrientOutward(surface.Mesh.P, surface.Mesh.F) });
+  SphericalStyle::OpenEdges open = SphericalStyle::FindOpenEdges(manifold.mesh.F);
+  closed.NonManifoldEdges = open.nonManifold;
+  SphericalStyle::MakeManifold(manifold);
+  for (std::size_t i = closed.InputPoints.size(); i < manifold.ends.size(); ++i)
+  {
+    closed.InputPoints.push_back(closed.InputPoints[manifold.ends[i][0]]);
+  }
+  for (const int f : manifold.triangles)
   {
     closed.InputCells.push_back(surface.GetCell(f));
   }
-  SphericalStyle::OpenEdges open = SphericalStyle::FindOpenEdges(closed.Mesh.F);
-  const auto at = [&](int point) { return std::to_string(closed.InputPoints[point]); };
-  if (open.nonManifold > 0)
-  {
-    throw std::invalid_argument(
-      "The surface has edges of three or more faces, the first at point " +
-      at(open.firstNonManifold) +
-      ", so it has no inside to print. Surface Diagnostics shows them; take the faces inside away "
-      "in a modeling program");
-  }
+  closed.Mesh = manifold.mesh;
+  open = SphericalStyle::FindOpenEdges(closed.Mesh.F);
   if (open.borders == 0)
   {
     return closed;
@@ -106,22 +108,16 @@ ClosedInput Close(const vtkSurfaceMesh& surface, bool closeHoles)
       Count(open.borders, "border edge") + ", the first at point " + at(open.firstBorder) +
       ". CloseHoles fills the holes; Surface Diagnostics shows them");
   }
-  DerivedSurface manifold = SphericalStyle::Underived(closed.Mesh);
-  SphericalStyle::SplitFans(manifold);
-  for (std::size_t i = closed.InputPoints.size(); i < manifold.ends.size(); ++i)
-  {
-    closed.InputPoints.push_back(closed.InputPoints[manifold.ends[i][0]]);
-  }
-  closed.Mesh = manifold.mesh;
   const Eigen::Index before = closed.Mesh.P.rows();
   closed.HolesClosed = SphericalStyle::FillHoles(closed.Mesh);
   TakeNearest(closed.Mesh.P, before, closed.InputPoints);
   closed.InputCells.resize(closed.Mesh.F.rows(), -1);
   open = SphericalStyle::FindOpenEdges(closed.Mesh.F);
-  if (open.borders + open.nonManifold > 0)
+  if (open.borders + open.nonManifold + open.misoriented > 0)
   {
     throw std::invalid_argument("CloseHoles: a hole cannot be filled, at point " +
-      at(std::max(open.firstBorder, open.firstNonManifold)) + "; close it in a modeling program");
+      at(std::max({ open.firstBorder, open.firstNonManifold, open.firstMisoriented })) +
+      "; close it in a modeling program");
   }
   closed.Mesh.F = SphericalStyle::OrientOutward(closed.Mesh.P, closed.Mesh.F);
   return closed;
@@ -233,7 +229,7 @@ std::string CutRemark(const PrintableResult& result)
                       : "";
 }
 
-void MakeTable(vtkTable* table, const PrintableResult& result, int holes, const ClosedInput& closed)
+void MakeTable(vtkTable* table, const PrintableResult& result, const ClosedInput& closed)
 {
   table->Initialize(); // an observer of progress may have asked for an update, which filled it
   vtkNew<vtkStringArray> names, units;
@@ -263,7 +259,8 @@ void MakeTable(vtkTable* table, const PrintableResult& result, int holes, const 
   add("Lean", 0.0, result.lean, "degrees");
   add("Thickened", 0.0, result.thickened, "length");
   add("Factor", 1.0, result.factor, "");
-  add("HolesClosed", 0.0, holes, "");
+  add("HolesClosed", 0.0, closed.HolesClosed, "");
+  add("NonManifoldEdges", closed.NonManifoldEdges, 0.0, "");
   add("Points", static_cast<double>(closed.Mesh.P.rows()),
     static_cast<double>(result.surface.mesh.P.rows()), "");
   add("Triangles", static_cast<double>(closed.Mesh.F.rows()),
@@ -309,6 +306,7 @@ int vtkPrintableFilter::Execute(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  this->Factor = 1.0;
   if (!IsSurface(this, inputVector[0]))
   {
     return 0;
@@ -350,6 +348,7 @@ int vtkPrintableFilter::Execute(
   options.height = this->Height;
   options.threads = ThreadsToUse(0);
   PrintableResult result = SphericalStyle::MakePrintable(closed.Mesh, options);
+  this->Factor = result.factor;
   this->UpdateProgress(0.9);
   if (this->PlaceOnPlate)
   {
@@ -360,7 +359,7 @@ int vtkPrintableFilter::Execute(
   AddThickness(output, result.thickness, type);
   Warn(this, ThinRemark(result.thickness, this->MinimumThickness));
   Warn(this, CutRemark(result));
-  MakeTable(vtkTable::GetData(outputVector, 1), result, closed.HolesClosed, closed);
+  MakeTable(vtkTable::GetData(outputVector, 1), result, closed);
   return 1;
 }
 
@@ -376,4 +375,5 @@ void vtkPrintableFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PlaceOnPlate: " << OnOff(this->PlaceOnPlate) << "\n";
   os << indent << "UpAxis: " << this->UpAxis << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "Factor: " << this->Factor << "\n";
 }

@@ -11,8 +11,10 @@
  *
  * Input port 0: vtkPolyData. Triangles, quads, polygons and strips take part; lines, vertices and
  * points of no face do not come out. Coincident points are one. The surface has to be closed,
- * unless CloseHoles is on, and without edges of three or more faces; errors name the first point
- * where it is not. A surface that is spread over processes is gathered (vtkWholeSurfaceAlgorithm).
+ * unless CloseHoles is on; an error names the first point where it is not. Parts that touch in a
+ * point or along an edge are taken apart there [manifold], and a wall or fin that ends at an edge
+ * of other faces is open. A surface that is spread over processes is gathered
+ * (vtkWholeSurfaceAlgorithm).
  *
  * Output port 0: vtkPolyData, a closed surface of triangles that face outward. Arrays of points are
  * interpolated where edges are cut, and at points in filled holes those of the nearest point;
@@ -25,7 +27,7 @@
  * (the lowest level along UpAxis), FootArea (of what lies on it), Height, Volume, CenterOfMassX, Y
  * and Z, MinimumThickness, TiltAngle (by which the model can be tilted before it falls over),
  * CutDepth, Lean, Thickened (the longest motion of a point for it), Factor (of the size),
- * HolesClosed, Points, Triangles and SelfIntersectingTriangles.
+ * HolesClosed, NonManifoldEdges, Points, Triangles and SelfIntersectingTriangles.
  *
  * The bracketed labels are those of Filters/Documentation/Printable.md. Needs CGAL.
  *
@@ -148,6 +150,12 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
+  /**
+   * By how much the last execution scaled the model: the Factor of the table. 1 where there is no
+   * result.
+   */
+  vtkGetMacro(Factor, double);
+
 protected:
   vtkPrintableFilter();
   ~vtkPrintableFilter() override;
@@ -172,6 +180,8 @@ private:
   bool PlaceOnPlate = false;
   int UpAxis = Y_AXIS;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+
+  double Factor = 1.0;
 };
 
 #endif

@@ -3,7 +3,6 @@
 #include "FlatFoot.h"
 
 #include "MeshEdges.h"
-#include "MeshQuality.h"
 #include "MeshTopology.h"
 #include "SurfaceMesh.h"
 
@@ -14,6 +13,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <deque>
@@ -21,6 +21,7 @@
 #include <map>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace SphericalStyle
 {
@@ -185,35 +186,6 @@ void DropUnused(DerivedSurface& surface)
   surface.mesh.F = surface.mesh.F.unaryExpr([&](int i) { return number[i]; }).eval();
 }
 
-bool HaveCommonEdge(const Triangles& F, int f, int g)
-{
-  int common = 0;
-  for (const int corner : F.row(g))
-  {
-    common += (F.row(f).array() == corner).any() ? 1 : 0;
-  }
-  return common >= 2;
-}
-
-/// Takes the fan of the last one of the triangles at a point out of them.
-std::vector<int> TakeFan(const Triangles& F, std::vector<int>& triangles)
-{
-  std::vector<int> fan;
-  if (!triangles.empty())
-  {
-    fan.push_back(triangles.back());
-    triangles.pop_back();
-  }
-  for (std::size_t k = 0; k < fan.size(); ++k)
-  {
-    const auto end = std::stable_partition(triangles.begin(), triangles.end(),
-      [&F, f = fan[k]](int other) { return !HaveCommonEdge(F, f, other); });
-    fan.insert(fan.end(), end, triangles.end());
-    triangles.erase(end, triangles.end());
-  }
-  return fan;
-}
-
 Triangles AsMatrix(const std::vector<std::array<int, 3>>& triangles)
 {
   Triangles F(static_cast<Eigen::Index>(triangles.size()), 3);
@@ -365,78 +337,6 @@ bool FlatCut::CloseFoot()
 }
 } // namespace
 
-DerivedSurface Underived(const TriangleMesh& mesh)
-{
-  DerivedSurface whole;
-  whole.mesh = mesh;
-  for (int i = 0; i < static_cast<int>(mesh.P.rows()); ++i)
-  {
-    whole.ends.push_back({ i, i });
-    whole.shares.push_back(0.0);
-  }
-  for (int f = 0; f < static_cast<int>(mesh.F.rows()); ++f)
-  {
-    whole.triangles.push_back(f);
-  }
-  return whole;
-}
-
-OpenEdges FindOpenEdges(const Triangles& F)
-{
-  const MeshEdges edges(F);
-  OpenEdges open;
-  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
-  {
-    const int first = edges.GetHalfEdges()[edges.GetOffset()[e]];
-    const int point = F(first / 3, HalfEdgeStart(first % 3));
-    const int valence = edges.GetValence(e);
-    if (valence == 1)
-    {
-      ++open.borders;
-      open.firstBorder = open.firstBorder < 0 ? point : open.firstBorder;
-    }
-    else if (valence > 2 || EdgeBalance(F, edges, e) != 0)
-    {
-      ++open.nonManifold;
-      open.firstNonManifold = open.firstNonManifold < 0 ? point : open.firstNonManifold;
-    }
-  }
-  return open;
-}
-
-void SplitFans(DerivedSurface& surface)
-{
-  Triangles& F = surface.mesh.F;
-  const auto n = static_cast<int>(surface.mesh.P.rows());
-  std::vector<std::vector<int>> at(n); // triangles
-  for (Eigen::Index corner = 0; corner < F.size(); ++corner)
-  {
-    at[F.data()[corner]].push_back(static_cast<int>(corner / 3));
-  }
-  std::vector<int> sources; // of new points
-  for (int i = 0; i < n; ++i)
-  {
-    std::vector<int> rest = at[i];
-    TakeFan(F, rest); // the first one keeps the point
-    while (!rest.empty())
-    {
-      const int copy = n + static_cast<int>(sources.size());
-      sources.push_back(i);
-      for (const int f : TakeFan(F, rest))
-      {
-        F.row(f) = (F.row(f).array() == i).select(copy, F.row(f)).eval();
-      }
-    }
-  }
-  surface.mesh.P.conservativeResize(n + static_cast<Eigen::Index>(sources.size()), 3);
-  for (std::size_t k = 0; k < sources.size(); ++k)
-  {
-    surface.mesh.P.row(n + static_cast<Eigen::Index>(k)) = surface.mesh.P.row(sources[k]).eval();
-    surface.ends.push_back(surface.ends[sources[k]]);
-    surface.shares.push_back(surface.shares[sources[k]]);
-  }
-}
-
 double SectionArea(const TriangleMesh& mesh, int axis, double level)
 {
   const int x = (axis + 1) % 3;
@@ -521,11 +421,11 @@ DerivedSurface CutFlat(const TriangleMesh& mesh, int axis, double level)
   }
   DerivedSurface made = cut.Take();
   const OpenEdges open = FindOpenEdges(made.mesh.F);
-  if (open.borders + open.nonManifold > 0)
+  if (open.borders + open.nonManifold + open.misoriented > 0)
   {
     return {};
   }
-  SplitFans(made);
+  MakeManifold(made);
   DropUnused(made);
   return made;
 }

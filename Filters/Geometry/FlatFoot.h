@@ -5,39 +5,10 @@
 #ifndef SphericalStyle_FlatFoot_h
 #define SphericalStyle_FlatFoot_h
 
-#include "TriangleMesh.h"
-
-#include <array>
-#include <vector>
+#include "ManifoldSurface.h"
 
 namespace SphericalStyle
 {
-/// A surface that has been made of another one. Each point lies between two of that one's points.
-struct DerivedSurface
-{
-  TriangleMesh mesh;
-  std::vector<std::array<int, 2>> ends; ///< of each point; one point twice where it is that point
-  std::vector<double> shares;           ///< of the second end, 0..1
-  std::vector<int> triangles;           ///< of each triangle, the one it is of; -1: a new one
-};
-
-/// A surface that is the mesh itself.
-DerivedSurface Underived(const TriangleMesh& mesh);
-
-/// Edges that are not those of one triangle on each side.
-struct OpenEdges
-{
-  int borders = 0;      ///< edges of one triangle
-  int nonManifold = 0;  ///< edges of three or more, or of two that run the same way
-  int firstBorder = -1; ///< a point of each kind, or -1
-  int firstNonManifold = -1;
-};
-OpenEdges FindOpenEdges(const Triangles& F);
-
-/// Gives each point one fan of triangles: where several meet in a point, as the halves of an
-/// hourglass, the others get points of their own at the same place.
-void SplitFans(DerivedSurface& surface);
-
 /// Area of the section of a closed surface, facing outward, across an axis. length^2.
 double SectionArea(const TriangleMesh& mesh, int axis, double level);
 

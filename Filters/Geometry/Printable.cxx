@@ -9,8 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace SphericalStyle
@@ -43,9 +46,27 @@ double Extent(const Points& P, int axis)
   return P.col(axis).maxCoeff() - P.col(axis).minCoeff();
 }
 
+/// Triangles with points at one place as one, so that parts that were taken apart do not touch.
+Triangles Joined(const TriangleMesh& mesh)
+{
+  const auto position = [&mesh](int i)
+  { return std::make_tuple(mesh.P(i, 0), mesh.P(i, 1), mesh.P(i, 2)); };
+  std::vector<int> order(mesh.P.rows());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+    [&](int i, int j) { return std::make_pair(position(i), i) < std::make_pair(position(j), j); });
+  std::vector<int> first(mesh.P.rows());
+  for (std::size_t k = 0; k < order.size(); ++k)
+  {
+    const bool isSame = k > 0 && position(order[k]) == position(order[k - 1]);
+    first[order[k]] = isSame ? first[order[k - 1]] : order[k];
+  }
+  return mesh.F.unaryExpr([&first](int i) { return first[i]; });
+}
+
 int CountIntersecting(const TriangleMesh& mesh)
 {
-  const std::vector<char> intersecting = IntersectingTriangles(mesh);
+  const std::vector<char> intersecting = IntersectingTriangles({ mesh.P, Joined(mesh) });
   return static_cast<int>(std::count(intersecting.begin(), intersecting.end(), 1));
 }
 
@@ -68,14 +89,6 @@ PrintableMeasures Measure(const TriangleMesh& mesh, int axis)
     Across(measures.centerOfMass, axis), measures.centerOfMass(axis) - measures.footLevel);
   measures.selfIntersecting = CountIntersecting(mesh);
   return measures;
-}
-
-/// The whole mesh, nothing cut.
-DerivedSurface Whole(const TriangleMesh& mesh)
-{
-  DerivedSurface whole = Underived(mesh);
-  SplitFans(whole);
-  return whole;
 }
 
 /// What the model stands on.
@@ -101,7 +114,7 @@ Stand GiveFoot(const TriangleMesh& mesh, const PrintableOptions& options, double
   Stand stand;
   if (footArea == 0.0 || wanted <= has)
   {
-    stand.surface = Whole(mesh);
+    stand.surface = Underived(mesh);
     for (auto p : stand.surface.mesh.P.rowwise())
     {
       p(axis) = footArea > 0.0 && p(axis) <= ground + OnGround * height ? ground : p(axis);

@@ -98,6 +98,8 @@ void CheckPlaces(Checker& check)
   printed.Get()->PlaceOnPlateOn();
   double bounds[6];
   printed.Output()->GetBounds(bounds);
+  check(printed.Get()->GetFactor() == printed.Entry("Factor") && printed.Entry("Factor") > 1.0,
+    "how much larger it is");
   check(bounds[4] == 0.0 && std::abs(bounds[5] - 60.0) < 1e-5, "z points up, from 0 to the height");
   check(std::abs(bounds[0] + bounds[1]) < 1e-5 && std::abs(bounds[2] + bounds[3]) < 1e-5,
     "in the middle of the plate");
@@ -208,10 +210,42 @@ void CheckMessages(Checker& check)
 
   const Surface three =
     MakeSurface({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, .4 }, { -.6, .8, .5 }, { -.5, -.9, .6 } },
-      { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } });
-  Printed fan(three);
-  fan.Get()->CloseHolesOn();
-  refuses(fan, "edges of three or more faces, the first at point 0");
+      { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });
+  Printed fan(three); // two become a leaf, the third one comes off
+  refuses(fan, "7 border edges, the first at point 0");
+  const Surface strip =
+    MakeSurface({ { 1, 0, -1 }, { 1, 0, 1 }, { -1, 1, 0 }, { -1, 0, 1 }, { 0, -1, 0 } },
+      { { 0, 1, 2 }, { 1, 2, 3 }, { 2, 3, 4 }, { 3, 4, 0 }, { 4, 0, 1 } });
+  Printed moebius(strip);
+  refuses(moebius, "7 border edges, the first at point "); // with its seam
+}
+
+/// Two tetrahedra at an edge of four faces.
+void CheckEdgesOfMany(Checker& check)
+{
+  const Surface two = MakeSurface(
+    { { 0, 0, 0 }, { 0, 3, 0 }, { 2, 0, 1 }, { 2, 0, -1 }, { -2, 0, 1 }, { -2, 0, -1 } },
+    { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 }, { 0, 4, 1 }, { 0, 1, 5 }, { 0, 5, 4 },
+      { 1, 4, 5 } });
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("Number");
+  for (int i = 0; i < 6; ++i)
+  {
+    numbers->InsertNextValue(10 * i);
+  }
+  two->GetPointData()->AddArray(numbers);
+  Printed printed(two);
+  printed.Get()->SetFootArea(0.0);
+  printed.Get()->SetStabilityAngle(0.0);
+  vtkPolyData* output = printed.Output();
+  check(
+    printed.Errors.empty() && output->GetNumberOfPoints() == 8 && output->GetNumberOfPolys() == 8,
+    "parts that touch along an edge are taken apart" + Joined(printed.Errors));
+  check(
+    printed.Entry("NonManifoldEdges", "Before") == 1.0 && printed.Entry("NonManifoldEdges") == 0.0,
+    "the table counts such edges");
+  vtkDataArray* values = output->GetPointData()->GetArray("Number");
+  check(values->GetTuple1(6) + values->GetTuple1(7) == 10.0, "new points have the same values");
 }
 }
 
@@ -222,5 +256,6 @@ int TestPrintableFilter(int, char*[])
   CheckPlaces(check);
   CheckWalls(check);
   CheckMessages(check);
+  CheckEdgesOfMany(check);
   return check.Result();
 }

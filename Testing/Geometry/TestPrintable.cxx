@@ -13,7 +13,12 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <map>
+#include <utility>
+#include <vector>
 
 using namespace SphericalStyle;
 
@@ -93,9 +98,129 @@ void TestFans()
   }
   CHECK(!IsClosed(hourglass), "an hourglass is no manifold");
   DerivedSurface split = Underived(hourglass);
-  SplitFans(split);
+  MakeManifold(split);
   CHECK(split.mesh.P.rows() == 8 && IsClosed(split.mesh), "its halves are two");
   CHECK(split.ends[7][0] == 0 && split.mesh.P.row(7) == split.mesh.P.row(0), "at one place");
+}
+
+/// The surface of unit cubes, with points at one place as one.
+TriangleMesh Cubes(const std::vector<std::array<int, 3>>& cubes)
+{
+  std::map<std::array<int, 3>, int> numbers;
+  std::vector<Meshes::Vector> points;
+  std::vector<std::array<int, 3>> triangles;
+  const auto isThere = [&](const std::array<int, 3>& cube)
+  { return std::find(cubes.begin(), cubes.end(), cube) != cubes.end(); };
+  for (const auto& cube : cubes)
+  {
+    for (int side = 0; side < 6; ++side)
+    {
+      const int axis = side / 2;
+      std::array<int, 3> across = cube;
+      across[axis] += side % 2 == 1 ? 1 : -1;
+      if (isThere(across))
+      {
+        continue;
+      }
+      std::array<int, 4> corners{};
+      for (int k = 0; k < 4; ++k)
+      {
+        std::array<int, 3> place = cube;
+        place[axis] += side % 2;
+        place[(axis + 1) % 3] += k == 1 || k == 2 ? 1 : 0;
+        place[(axis + 2) % 3] += k >= 2 ? 1 : 0;
+        const auto [found, isNew] = numbers.emplace(place, static_cast<int>(points.size()));
+        if (isNew)
+        {
+          points.emplace_back(place[0], place[1], place[2]);
+        }
+        corners[k] = found->second;
+      }
+      if (side % 2 == 0)
+      {
+        std::swap(corners[1], corners[3]);
+      }
+      triangles.push_back({ corners[0], corners[1], corners[2] });
+      triangles.push_back({ corners[0], corners[2], corners[3] });
+    }
+  }
+  return Meshes::Make(points, triangles);
+}
+
+/// Solids that touch along edges are taken apart; what is left over is a border.
+void TestEdgesOfMany()
+{
+  const auto apart = [](const TriangleMesh& mesh)
+  {
+    DerivedSurface surface = Underived(mesh);
+    MakeManifold(surface);
+    CHECK(surface.mesh.P.topRows(mesh.P.rows()) == mesh.P, "points keep their numbers");
+    for (Eigen::Index i = 0; i < surface.mesh.P.rows(); ++i)
+    {
+      const Eigen::RowVector3d place = (1.0 - surface.shares[i]) * mesh.P.row(surface.ends[i][0]) +
+        surface.shares[i] * mesh.P.row(surface.ends[i][1]);
+      CHECK(surface.mesh.P.row(i) == place, "and new ones lie between their ends");
+    }
+    CHECK(surface.triangles.size() == static_cast<std::size_t>(surface.mesh.F.rows()),
+      "triangles come from somewhere");
+    CHECK_NEAR(EnclosedVolume(surface.mesh.P, surface.mesh.F), EnclosedVolume(mesh.P, mesh.F),
+      1e-12, "the volume stays");
+    return surface;
+  };
+
+  const TriangleMesh two = Cubes({ { 0, 0, 0 }, { 1, 1, 0 } });
+  CHECK(two.P.rows() == 14 && FindOpenEdges(two.F).nonManifold == 1, "two cubes at an edge");
+  const DerivedSurface cubes = apart(two);
+  CHECK(IsClosed(cubes.mesh) && cubes.mesh.P.rows() == 16 && cubes.mesh.F.rows() == 24,
+    "become two cubes");
+
+  // The same cubes between two slabs: the edge cannot open at its ends, so it gets two middles.
+  std::vector<std::array<int, 3>> tower = { { 0, 0, 1 }, { 1, 1, 1 } };
+  for (int k = 0; k < 8; ++k)
+  {
+    tower.push_back({ k % 2, k / 2 % 2, k / 4 * 2 });
+  }
+  const TriangleMesh stacked = Cubes(tower);
+  CHECK(FindOpenEdges(stacked.F).nonManifold == 1, "cubes between slabs");
+  const DerivedSurface opened = apart(stacked);
+  CHECK(IsClosed(opened.mesh) && opened.mesh.P.rows() == stacked.P.rows() + 2 &&
+      opened.mesh.F.rows() == stacked.F.rows() + 4,
+    "the edge is split in two middles");
+  PrintableOptions options;
+  options.thickness = 0.1;
+  const PrintableResult made = MakePrintable(opened.mesh, options);
+  CHECK(IsClosed(made.surface.mesh) && made.after.selfIntersecting == 0,
+    "parts that touch where they were taken apart do not run through each other");
+
+  // Checkered cubes: every inner edge has four triangles, and points have up to eight fans.
+  std::vector<std::array<int, 3>> checkered;
+  for (int k = 0; k < 64; ++k)
+  {
+    if ((k + k / 4 + k / 16) % 2 == 0)
+    {
+      checkered.push_back({ k % 4, k / 4 % 4, k / 16 });
+    }
+  }
+  const DerivedSurface many = apart(Cubes(checkered));
+  CHECK(IsClosed(many.mesh) && many.mesh.P.rows() == 32 * 8, "32 cubes have 8 points each");
+
+  // A wall inside ends at an edge of the outside: it has a border, the outside has none.
+  TriangleMesh walled = Cubes({ { 0, 0, 0 }, { 1, 0, 0 } });
+  const auto pointAt = [&](const Eigen::RowVector3d& place)
+  {
+    Eigen::Index point = 0;
+    (walled.P.rowwise() - place).rowwise().squaredNorm().minCoeff(&point);
+    return static_cast<int>(point);
+  };
+  walled.F.conservativeResize(walled.F.rows() + 1, 3);
+  walled.F.row(walled.F.rows() - 1) << pointAt({ 1, 0, 0 }), pointAt({ 1, 1, 0 }),
+    pointAt({ 1, 1, 1 });
+  CHECK(FindOpenEdges(walled.F).nonManifold == 2, "a wall inside");
+  DerivedSurface inside = Underived(walled);
+  MakeManifold(inside);
+  const OpenEdges open = FindOpenEdges(inside.mesh.F);
+  CHECK(open.nonManifold == 0 && open.misoriented == 0 && open.borders == 3,
+    "comes off as a triangle: " << open.borders << " border edges");
 }
 
 /// What holds of every result.
@@ -299,6 +424,7 @@ int main()
 {
   TestSections();
   TestFans();
+  TestEdgesOfMany();
   TestBall();
   TestLean();
   TestWalls();

@@ -1,0 +1,395 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ManifoldSurface.h"
+
+#include "MeshEdges.h"
+#include "MeshQuality.h"
+#include "SurfaceMeasures.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace SphericalStyle
+{
+namespace
+{
+int Start(const Triangles& F, int h)
+{
+  return F(h / 3, HalfEdgeStart(h % 3));
+}
+
+int End(const Triangles& F, int h)
+{
+  return F(h / 3, HalfEdgeEnd(h % 3));
+}
+
+/// Things that hang together.
+class Groups
+{
+public:
+  explicit Groups(Eigen::Index count)
+    : Next(count)
+  {
+    std::iota(this->Next.begin(), this->Next.end(), 0);
+  }
+  void Join(int a, int b)
+  {
+    a = this->First(a);
+    b = this->First(b);
+    this->Next[std::max(a, b)] = std::min(a, b);
+  }
+  /// The first one of the group.
+  int First(int i)
+  {
+    while (this->Next[i] != i)
+    {
+      this->Next[i] = this->Next[this->Next[i]];
+      i = this->Next[i];
+    }
+    return i;
+  }
+
+private:
+  std::vector<int> Next;
+};
+
+/// A triangle at an edge from u to v.
+struct Leaf
+{
+  double angle; // about the edge, counterclockwise seen from v
+  bool closes;  // its inside is where angles are smaller
+  int halfEdge;
+};
+
+/// For each triangle the area of what hangs together with it at edges of two, and less than 0 where
+/// that has a border: a wall or a fin, which comes off first.
+Eigen::VectorXd PatchAreas(
+  const TriangleMesh& mesh, const MeshEdges& edges, const std::vector<int>& opposite)
+{
+  const Eigen::VectorXd areas = TriangleAreas(mesh.P, mesh.F);
+  const double whole = areas.sum();
+  Groups patches(mesh.F.rows());
+  for (int h = 0; h < static_cast<int>(opposite.size()); ++h)
+  {
+    if (opposite[h] > h)
+    {
+      patches.Join(h / 3, opposite[h] / 3);
+    }
+  }
+  Eigen::VectorXd ofPatch = Eigen::VectorXd::Zero(mesh.F.rows());
+  for (int f = 0; f < static_cast<int>(mesh.F.rows()); ++f)
+  {
+    ofPatch(patches.First(f)) += areas(f);
+  }
+  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
+  {
+    if (edges.GetValence(e) == 1)
+    {
+      double& area = ofPatch(patches.First(edges.GetHalfEdges()[edges.GetOffset()[e]] / 3));
+      area = area > 0.0 ? area - whole : area;
+    }
+  }
+  Eigen::VectorXd sizes(mesh.F.rows());
+  for (int f = 0; f < static_cast<int>(mesh.F.rows()); ++f)
+  {
+    sizes(f) = ofPatch(patches.First(f));
+  }
+  return sizes;
+}
+
+/// The triangles around edge e. Of two at one angle the one that ends an inside comes first.
+std::vector<Leaf> LeavesOf(const TriangleMesh& mesh, const MeshEdges& edges, int e)
+{
+  const auto begin = edges.GetHalfEdges().begin();
+  const std::vector<int> sides(begin + edges.GetOffset()[e], begin + edges.GetOffset()[e + 1]);
+  const int u = std::min(Start(mesh.F, sides[0]), End(mesh.F, sides[0]));
+  const int v = std::max(Start(mesh.F, sides[0]), End(mesh.F, sides[0]));
+  const Eigen::Vector3d axis = (mesh.P.row(v) - mesh.P.row(u)).stableNormalized();
+  const Eigen::Vector3d x = axis.unitOrthogonal();
+  const Eigen::Vector3d y = axis.cross(x);
+  std::vector<Leaf> leaves;
+  for (const int h : sides)
+  {
+    const Eigen::Vector3d a = mesh.P.row(mesh.F(h / 3, h % 3)) - mesh.P.row(u);
+    leaves.push_back({ std::atan2(a.dot(y), a.dot(x)), Start(mesh.F, h) == u, h });
+  }
+  std::sort(leaves.begin(), leaves.end(),
+    [](const Leaf& a, const Leaf& b)
+    { return std::tie(a.angle, b.closes, a.halfEdge) < std::tie(b.angle, a.closes, b.halfEdge); });
+  return leaves;
+}
+
+/// Takes away, of the least patches, what one direction has more than the other.
+void Balance(const Eigen::VectorXd& patchAreas, std::vector<Leaf>& leaves)
+{
+  const auto closing =
+    std::count_if(leaves.begin(), leaves.end(), [](const Leaf& leaf) { return leaf.closes; });
+  auto excess = 2 * closing - static_cast<std::ptrdiff_t>(leaves.size());
+  const bool closes = excess > 0;
+  for (excess = std::abs(excess); excess > 0; --excess)
+  {
+    leaves.erase(std::min_element(leaves.begin(), leaves.end(),
+      [&](const Leaf& a, const Leaf& b)
+      {
+        const auto rank = [&](const Leaf& leaf)
+        { return std::make_pair(leaf.closes != closes, patchAreas(leaf.halfEdge / 3)); };
+        return rank(a) < rank(b);
+      }));
+  }
+}
+
+/// As brackets belong together, around and around.
+void PairLeaves(const std::vector<Leaf>& leaves, std::vector<int>& opposite)
+{
+  std::vector<int> open; // half-edges
+  for (int round = 0; round < 2; ++round)
+  {
+    for (const Leaf& leaf : leaves)
+    {
+      if (opposite[leaf.halfEdge] >= 0)
+      {
+        continue;
+      }
+      if (!leaf.closes && round == 0)
+      {
+        open.push_back(leaf.halfEdge);
+      }
+      else if (leaf.closes && !open.empty())
+      {
+        opposite[leaf.halfEdge] = open.back();
+        opposite[open.back()] = leaf.halfEdge;
+        open.pop_back();
+      }
+    }
+  }
+}
+
+/// For each half-edge the one of the triangle across, or -1 at a border.
+std::vector<int> OppositesOf(const TriangleMesh& mesh)
+{
+  const MeshEdges edges(mesh.F);
+  std::vector<int> opposite(mesh.F.size(), -1);
+  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
+  {
+    const int* sides = edges.GetHalfEdges().data() + edges.GetOffset()[e];
+    if (edges.GetValence(e) == 2 && EdgeBalance(mesh.F, edges, e) == 0)
+    {
+      opposite[sides[0]] = sides[1];
+      opposite[sides[1]] = sides[0];
+    }
+  }
+  const Eigen::VectorXd patchAreas = PatchAreas(mesh, edges, opposite);
+  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
+  {
+    if (edges.GetValence(e) > 2)
+    {
+      std::vector<Leaf> leaves = LeavesOf(mesh, edges, e);
+      Balance(patchAreas, leaves);
+      PairLeaves(leaves, opposite);
+    }
+  }
+  return opposite;
+}
+
+/// @return of each new point the one that it was
+std::vector<int> SplitFans(Triangles& F, int n, const std::vector<int>& opposite)
+{
+  Groups fans(F.size()); // of corners
+  for (int h = 0; h < static_cast<int>(opposite.size()); ++h)
+  {
+    const int g = opposite[h];
+    if (g > h)
+    {
+      fans.Join(3 * (h / 3) + HalfEdgeStart(h % 3), 3 * (g / 3) + HalfEdgeEnd(g % 3));
+      fans.Join(3 * (h / 3) + HalfEdgeEnd(h % 3), 3 * (g / 3) + HalfEdgeStart(g % 3));
+    }
+  }
+  std::vector<int> sources;
+  std::vector<char> taken(n, 0);
+  std::vector<int> pointOf(F.size(), -1); // of the first corner of each fan
+  for (int corner = 0; corner < static_cast<int>(F.size()); ++corner)
+  {
+    const int i = F(corner / 3, corner % 3);
+    int& point = pointOf[fans.First(corner)];
+    if (point < 0)
+    {
+      point = taken[i] ? n + static_cast<int>(sources.size()) : i;
+      if (taken[i])
+      {
+        sources.push_back(i);
+      }
+      taken[i] = 1;
+    }
+    F(corner / 3, corner % 3) = point;
+  }
+  return sources;
+}
+
+/// Splits edges in the middle, one after the other.
+class EdgeSplitter
+{
+public:
+  explicit EdgeSplitter(DerivedSurface& surface)
+    : Surface(surface)
+    , Pieces(surface.mesh.F.rows())
+  {
+    for (const auto& t : surface.mesh.F.rowwise())
+    {
+      this->Corners.push_back({ t(0), t(1), t(2) });
+    }
+    for (int f = 0; f < static_cast<int>(this->Pieces.size()); ++f)
+    {
+      this->Pieces[f] = { f };
+    }
+  }
+
+  /// @param h  a half-edge of the surface as it came @param other  the one across, or -1
+  void Split(int h, int other)
+  {
+    const Triangles& F = this->Surface.mesh.F;
+    const int u = Start(F, h);
+    const int v = End(F, h);
+    const int middle = static_cast<int>(this->Surface.ends.size());
+    // Of the mesh that this one is derived from; of ends that lie between two points, the first.
+    this->Surface.ends.push_back({ this->Surface.ends[u][0], this->Surface.ends[v][0] });
+    this->Surface.shares.push_back(0.5);
+    this->Added.emplace_back(0.5 * (this->Surface.mesh.P.row(u) + this->Surface.mesh.P.row(v)));
+    this->SplitTriangle(h / 3, u, v, middle);
+    if (other >= 0)
+    {
+      this->SplitTriangle(other / 3, v, u, middle);
+    }
+  }
+
+  void Finish()
+  {
+    TriangleMesh& mesh = this->Surface.mesh;
+    const Eigen::Index n = mesh.P.rows();
+    mesh.P.conservativeResize(n + static_cast<Eigen::Index>(this->Added.size()), 3);
+    for (std::size_t k = 0; k < this->Added.size(); ++k)
+    {
+      mesh.P.row(n + static_cast<Eigen::Index>(k)) = this->Added[k];
+    }
+    mesh.F.resize(static_cast<Eigen::Index>(this->Corners.size()), 3);
+    for (std::size_t f = 0; f < this->Corners.size(); ++f)
+    {
+      mesh.F.row(static_cast<Eigen::Index>(f)) =
+        Eigen::Map<const Eigen::RowVector3i>(this->Corners[f].data());
+    }
+  }
+
+private:
+  void SplitTriangle(int f, int u, int v, int middle)
+  {
+    for (const int piece : this->Pieces[f])
+    {
+      std::array<int, 3>& t = this->Corners[piece];
+      for (int k = 0; k < 3; ++k)
+      {
+        if (t[k] == u && t[(k + 1) % 3] == v)
+        {
+          const int apex = t[(k + 2) % 3];
+          t = { u, middle, apex };
+          this->Pieces[f].push_back(static_cast<int>(this->Corners.size()));
+          this->Corners.push_back({ middle, v, apex });
+          this->Surface.triangles.push_back(this->Surface.triangles[f]);
+          return;
+        }
+      }
+    }
+  }
+
+  DerivedSurface& Surface;
+  std::vector<std::vector<int>> Pieces; // of each triangle, the ones it is cut into
+  std::vector<std::array<int, 3>> Corners;
+  std::vector<Eigen::RowVector3d> Added; // points
+};
+} // namespace
+
+DerivedSurface Underived(const TriangleMesh& mesh)
+{
+  DerivedSurface whole;
+  whole.mesh = mesh;
+  for (int i = 0; i < static_cast<int>(mesh.P.rows()); ++i)
+  {
+    whole.ends.push_back({ i, i });
+    whole.shares.push_back(0.0);
+  }
+  for (int f = 0; f < static_cast<int>(mesh.F.rows()); ++f)
+  {
+    whole.triangles.push_back(f);
+  }
+  return whole;
+}
+
+OpenEdges FindOpenEdges(const Triangles& F)
+{
+  const MeshEdges edges(F);
+  OpenEdges open;
+  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
+  {
+    const int point = Start(F, edges.GetHalfEdges()[edges.GetOffset()[e]]);
+    const auto count = [point](int& number, int& first)
+    {
+      ++number;
+      first = first < 0 ? point : first;
+    };
+    const int valence = edges.GetValence(e);
+    if (valence == 1)
+    {
+      count(open.borders, open.firstBorder);
+    }
+    else if (valence > 2)
+    {
+      count(open.nonManifold, open.firstNonManifold);
+    }
+    else if (EdgeBalance(F, edges, e) != 0)
+    {
+      count(open.misoriented, open.firstMisoriented);
+    }
+  }
+  return open;
+}
+
+void MakeManifold(DerivedSurface& surface)
+{
+  TriangleMesh& mesh = surface.mesh;
+  const std::vector<int> opposite = OppositesOf(mesh);
+  const auto n = static_cast<int>(mesh.P.rows());
+  const std::vector<int> sources = SplitFans(mesh.F, n, opposite);
+  mesh.P.conservativeResize(n + static_cast<Eigen::Index>(sources.size()), 3);
+  for (std::size_t k = 0; k < sources.size(); ++k)
+  {
+    mesh.P.row(n + static_cast<Eigen::Index>(k)) = mesh.P.row(sources[k]).eval();
+    surface.ends.push_back(surface.ends[sources[k]]);
+    surface.shares.push_back(surface.shares[sources[k]]);
+  }
+  const MeshEdges edges(mesh.F);
+  EdgeSplitter splitter(surface);
+  bool splits = false;
+  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
+  {
+    const int* sides = edges.GetHalfEdges().data() + edges.GetOffset()[e];
+    const int valence = edges.GetValence(e);
+    const bool isGood = valence == 1 || (valence == 2 && opposite[sides[0]] == sides[1]);
+    for (int i = 0; !isGood && i < valence; ++i)
+    {
+      if (opposite[sides[i]] < sides[i]) // once for two that belong together
+      {
+        splitter.Split(sides[i], opposite[sides[i]]);
+        splits = true;
+      }
+    }
+  }
+  if (splits)
+  {
+    splitter.Finish();
+  }
+}
+} // namespace SphericalStyle
