@@ -10,8 +10,11 @@
 #include <QBoxLayout>
 #include <QEvent>
 #include <QGridLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
+#include <QStyledItemDelegate>
+#include <QTableView>
 
 namespace
 {
@@ -36,6 +39,20 @@ void FitDigits(pqDoubleLineEdit* number)
   number->setUseGlobalPrecisionAndNotation(digits == pqDoubleLineEdit::globalPrecision());
 }
 
+/// Numbers of a table with four digits. All of them show while a number is edited.
+class ShortNumbers : public QStyledItemDelegate
+{
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QString displayText(const QVariant& value, const QLocale&) const override
+  {
+    bool isNumber = false;
+    const double number = value.toDouble(&isNumber);
+    return isNumber ? QString::number(number, 'g', 4) : value.toString();
+  }
+};
+
 /// A label that is asked says what the widget beside it says.
 void AddToolTips(const QWidget* properties)
 {
@@ -57,10 +74,23 @@ pqFitToPanel::pqFitToPanel(vtkPVXMLElement* xml, pqPropertyWidget* widget)
   : pqPropertyWidgetDecorator(xml, widget)
 {
   widget->installEventFilter(this); // the panel around it comes later
+  for (auto* table : widget->findChildren<QTableView*>())
+  {
+    table->setItemDelegate(new ShortNumbers(table));
+    table->viewport()->installEventFilter(this);
+  }
 }
 
 bool pqFitToPanel::eventFilter(QObject* watched, QEvent* event)
 {
+  auto* table = watched->parent() ? qobject_cast<QTableView*>(watched->parent()) : nullptr;
+  if (table && (event->type() == QEvent::Resize || event->type() == QEvent::Show))
+  {
+    // ParaView gives the columns widths of its own when it fills the table.
+    table->horizontalHeader()->setStretchLastSection(false);
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    return false;
+  }
   if (watched == this->parentWidget() && event->type() == QEvent::Show)
   {
     this->watchPanel();

@@ -12,8 +12,10 @@
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkAlgorithm.h"
+#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
@@ -24,6 +26,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
 
@@ -62,6 +65,21 @@ bool HasOutput(vtkSMProxy* proxy)
   auto* filter = vtkAlgorithm::SafeDownCast(proxy->GetClientSideObject());
   vtkDataObject* data = filter ? filter->GetOutputDataObject(0) : nullptr;
   return data && data->GetNumberOfElements(vtkDataObject::POINT) > 0;
+}
+
+/// Of an output that is there; asking for it executes nothing.
+vtkBoundingBox KnownBounds(vtkSMSourceProxy* source, unsigned int port)
+{
+  return source && pqExecutedSourceOf(source)
+    ? vtkBoundingBox(source->GetDataInformation(port)->GetBounds())
+    : vtkBoundingBox();
+}
+
+/// Whether the camera is among the points of a box.
+bool IsFromInside(const pqView* view, const vtkBoundingBox& box)
+{
+  auto* shown = vtkSMRenderViewProxy::SafeDownCast(view->getViewProxy());
+  return shown && box.ContainsPoint(shown->GetActiveCamera()->GetPosition());
 }
 
 bool HasPointArray(vtkSMSourceProxy* source, const char* name)
@@ -110,6 +128,10 @@ pqLook::pqLook(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parent
       qOverload<pqPipelineSource*>(&pqPipelineSource::dataUpdated), this, &pqLook::refresh,
       Qt::QueuedConnection);
   }
+  const vtkSMPropertyHelper input(smproxy, "Input");
+  this->Framed = pqExecutedSourceOf(smproxy)
+    ? KnownBounds(vtkSMSourceProxy::SafeDownCast(smproxy), 0)
+    : KnownBounds(vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()), input.GetOutputPort());
   this->refresh();
 }
 
@@ -294,6 +316,10 @@ QString pqLook::seen() const
     {
       words << "legend";
     }
+    if (IsFromInside(this->view(), KnownBounds(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0)))
+    {
+      words << "from inside";
+    }
   }
   return words.join(", ");
 }
@@ -317,11 +343,13 @@ void pqLook::showModel(bool show)
       known ? known : controller->Show(source, input.GetOutputPort(), this->view()->getViewProxy());
     SetVisible(this->Shown, true);
     SetVisible(this->Hidden, false);
+    this->frame(source, input.GetOutputPort());
   }
   else
   {
     SetVisible(this->Hidden, true);
     SetVisible(this->Shown, this->WasShown);
+    this->frame(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0);
     this->Hidden = nullptr;
     this->Shown = nullptr;
   }
@@ -335,12 +363,7 @@ void pqLook::colorBy(const Color& color, bool on)
 {
   if (on && color.Switch && pqShownValue::get(color.Switch) == 0.0)
   {
-    pqShownValue::set(color.Switch, 1.0);
-    Q_EMIT this->changeAvailable();
-    if (auto* panel = pqAncestor<pqPropertiesPanel>(this))
-    {
-      panel->apply();
-    }
+    pqShownValue::apply(this, color.Switch, 1.0);
   }
   this->Before->setChecked(false);
   if (vtkSMPVRepresentationProxy* display = this->result())
@@ -370,10 +393,40 @@ void pqLook::colorBy(const Color& color, bool on)
   this->refresh();
 }
 
+void pqLook::frame(vtkSMSourceProxy* source, unsigned int port)
+{
+  constexpr double MuchLarger = 3.0;
+  const vtkBoundingBox now = KnownBounds(source, port);
+  auto* camera =
+    vtkSMRenderViewProxy::SafeDownCast(this->view() ? this->view()->getViewProxy() : nullptr);
+  if (!now.IsValid() || !camera)
+  {
+    return;
+  }
+  if (this->Framed.IsValid())
+  {
+    const double size = now.GetDiagonalLength();
+    const double before = this->Framed.GetDiagonalLength();
+    double from[3], to[3];
+    this->Framed.GetCenter(from);
+    now.GetCenter(to);
+    if (size > MuchLarger * before || before > MuchLarger * size ||
+      vtkMath::Distance2BetweenPoints(from, to) > before * before)
+    {
+      camera->ResetCamera();
+    }
+  }
+  this->Framed = now;
+}
+
 /// The display of the result may be another one, or have other colors.
 void pqLook::refresh()
 {
   this->colorAfterFailure();
+  if (IsVisible(this->result()))
+  {
+    this->frame(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0);
+  }
   this->Observers.clear();
   vtkSMPVRepresentationProxy* display = this->result();
   if (vtkSMProperty* colors = display ? display->GetProperty("ColorArrayName") : nullptr)

@@ -23,12 +23,16 @@
 /// The numbers of an array of Names get distinct colors. Where the first Apply fails, ParaView
 /// would never color the result: it gets the colors of the model as soon as it is there. Where a
 /// later one fails, ParaView would go on to show the result before it: it shows the next one.
+///
+/// Where what the view shows is over three times as large or small as what was there before, or
+/// somewhere else, the camera is reset: a model that Printable makes 80 mm high would be around it.
 #ifndef pqLook_h
 #define pqLook_h
 
 #include "pqColors.h"
 #include "pqObservers.h"
 #include "pqPropertyWidget.h"
+#include "vtkBoundingBox.h"
 #include "vtkWeakPointer.h"
 
 #include <QPointer>
@@ -41,6 +45,7 @@ class pqPipelineSource;
 class pqProxy;
 class vtkSMPVRepresentationProxy;
 class vtkSMPropertyGroup;
+class vtkSMSourceProxy;
 
 class pqLook : public pqPropertyWidget
 {
@@ -76,6 +81,7 @@ private:
   void showAfterFailure();
   void fitColors();
   void colorBy(const Color& color, bool on);
+  void frame(vtkSMSourceProxy* source, unsigned int port);
   void refresh();
   void updateButtons();
   vtkSMPVRepresentationProxy* result() const;
@@ -94,6 +100,7 @@ private:
   vtkWeakPointer<vtkSMProxy> Shown;  // the model, in place of the result
   vtkWeakPointer<vtkSMProxy> Hidden; // the result
   bool WasShown = false;             // the model too
+  vtkBoundingBox Framed;             // what the view showed last
   pqObservers Observers;             // of the result's display
   pqObservers FilterObservers;
 };

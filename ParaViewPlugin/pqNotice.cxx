@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqNotice.h"
 
-#include "pqAncestor.h"
 #include "pqNote.h"
-#include "pqPropertiesPanel.h"
 #include "pqShownValue.h"
 #include "vtkCommand.h"
 #include "vtkSMProperty.h"
@@ -57,14 +55,8 @@ void pqNotice::updateText()
 
 void pqNotice::follow()
 {
-  if (!this->Advised)
+  if (this->Advised)
   {
-    return;
-  }
-  pqShownValue::set(this->Advised, this->Value);
-  Q_EMIT this->changeAvailable();
-  if (auto* panel = pqAncestor<pqPropertiesPanel>(this))
-  {
-    panel->apply(); // last: what it executes may change this widget
+    pqShownValue::apply(this, this->Advised, this->Value);
   }
 }

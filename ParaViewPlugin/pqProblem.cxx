@@ -10,6 +10,7 @@
 #include "pqPropertiesPanel.h"
 #include "pqPropertyWidgetDecorator.h"
 #include "pqServerManagerModel.h"
+#include "pqShownValue.h"
 #include "pqSourceOf.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
@@ -89,6 +90,7 @@ pqProblem::pqProblem(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* 
   : pqPropertyWidget(smproxy, parentWidget)
   , Note(new pqNote(this))
   , Button(new QPushButton(tr("Extract Surface"), this))
+  , RemedyButton(new QPushButton(this))
   , Shown(new Visibility(this))
 {
   this->setShowLabel(false);
@@ -96,11 +98,14 @@ pqProblem::pqProblem(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* 
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(this->Note);
   layout->addWidget(this->Button, 0, Qt::AlignLeft);
+  layout->addWidget(this->RemedyButton, 0, Qt::AlignLeft);
   this->Button->setObjectName("ExtractSurface");
   this->Button->setToolTip(tr("Puts the filter Extract Surface in front of this one."));
   // Not at once: the click makes another panel the active one.
   QObject::connect(
     this->Button, &QPushButton::clicked, this, &pqProblem::extractSurface, Qt::QueuedConnection);
+  this->RemedyButton->setObjectName("Remedy");
+  QObject::connect(this->RemedyButton, &QPushButton::clicked, this, &pqProblem::remedy);
   this->Observers.add(
     smproxy->GetProperty("Input"), vtkCommand::ModifiedEvent, this, &pqProblem::watchInput);
   for (const auto event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
@@ -129,6 +134,12 @@ pqProblem::pqProblem(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* 
     {
       this->Observers.add(this->Required, event, this, &pqProblem::updateText);
     }
+  }
+  if (vtkPVXMLElement* xml = hints ? hints->FindNestedElementByName("Remedy") : nullptr)
+  {
+    this->Remedy = smproxy->GetProperty(xml->GetAttributeOrEmpty("property"));
+    this->RemedyButton->setText(pqShownValue::label(this->Remedy));
+    this->RemedyButton->setToolTip(tr("Turns it on and applies it. Undo takes it back."));
   }
   if (auto* filter = vtkAlgorithm::SafeDownCast(smproxy->GetClientSideObject()))
   {
@@ -254,6 +265,8 @@ void pqProblem::updateText()
     this->Note->setText(text);
     this->Note->setSerious(serious);
     this->Button->setVisible(!this->AnyDataSet && IsNoSurface(KnownData(this->proxy())));
+    this->RemedyButton->setVisible(this->Remedy && text.contains(this->Remedy->GetXMLName()) &&
+      pqShownValue::get(this->Remedy) == 0.0);
   }
   this->Shown->setVisible(!text.isEmpty());
 }
@@ -288,10 +301,15 @@ QString pqProblem::problemOfInput() const
   if (!this->AnyDataSet && data->GetNumberOfCells() == 0)
   {
     return tr(
-      "This is a point cloud: it has no faces, so there is nothing to round. Make a surface "
+      "This is a point cloud: it has no faces, so there is no surface to work on. Make a surface "
       "of it first, for instance with Delaunay 3D and Extract Surface.");
   }
   return {};
+}
+
+void pqProblem::remedy()
+{
+  pqShownValue::apply(this, this->Remedy, 1.0);
 }
 
 void pqProblem::extractSurface()

@@ -17,6 +17,12 @@
 ///         <Required property="Surface" text="what to say where it is not"/>
 ///       </Hints>
 ///
+/// A property that a message names can be the way out. Its button sets it to 1 and presses Apply:
+///
+///       <Hints>
+///         <Remedy property="CloseHoles"/>
+///       </Hints>
+///
 /// The property is there for its place in the panel, see pqPresets.h. In XML the input of the
 /// filter has to accept every vtkDataSet: otherwise ParaView does not even open the panel, and does
 /// not say why.
@@ -58,12 +64,15 @@ private:
   void updateText();
   QString problemOfInput() const;
   void extractSurface();
+  void remedy();
 
   bool AnyDataSet = false;
   vtkSmartPointer<vtkSMProperty> Required;
   QString MissingText;
   pqNote* Note;
   QPushButton* Button;
+  QPushButton* RemedyButton;
+  vtkSmartPointer<vtkSMProperty> Remedy;
   Visibility* Shown;
   struct Message
   {

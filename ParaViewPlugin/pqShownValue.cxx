@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqShownValue.h"
 
+#include "pqAncestor.h"
+#include "pqPropertiesPanel.h"
+#include "pqPropertyWidget.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMEnumerationDomain.h"
 #include "vtkSMProperty.h"
@@ -23,6 +26,16 @@ void set(vtkSMProperty* property, double value)
   vtkSMPropertyHelper helper(property);
   helper.SetUseUnchecked(true);
   helper.Set(value);
+}
+
+void apply(pqPropertyWidget* widget, vtkSMProperty* property, double value)
+{
+  set(property, value);
+  Q_EMIT widget->changeAvailable();
+  if (auto* panel = pqAncestor<pqPropertiesPanel>(widget))
+  {
+    panel->apply();
+  }
 }
 
 double fromText(vtkSMProperty* property, const QString& text)

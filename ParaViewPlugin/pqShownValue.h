@@ -8,6 +8,7 @@
 
 #include <QString>
 
+class pqPropertyWidget;
 class vtkSMProperty;
 class vtkSMProxy;
 
@@ -16,6 +17,9 @@ namespace pqShownValue
 /// Of a property with one number.
 double get(vtkSMProperty* property);
 void set(vtkSMProperty* property, double value);
+
+/// Sets one and presses Apply. What that executes may change the widget, so nothing comes after it.
+void apply(pqPropertyWidget* widget, vtkSMProperty* property, double value);
 
 /// A number, a word of the class ("OwnThickness", which the panel shows as "Own Thickness"), On or
 /// Off.
