@@ -3,17 +3,9 @@
 #include "vtkSymmetryPlane.h"
 
 #include "Frame.h"
+#include "NearestPoint.h"
 #include "Parallel.h"
 #include "SurfaceMeasures.h"
-
-#include "vtkCellArray.h"
-#include "vtkGenericCell.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-#include "vtkStaticCellLocator.h"
-#include "vtkStaticPointLocator.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -22,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <vector>
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -30,28 +23,33 @@ using SphericalStyle::MirrorPlane;
 namespace
 {
 constexpr int AllSamples = 20000;
-constexpr double LeastArea = 1e-12; // of triangles whose planes VTK can tell
+constexpr double LeastArea = 1e-12; // of triangles whose planes can be told
 constexpr double Near = 0.02;
 constexpr double Far = 0.05;
 constexpr double AlmostAxis = 1e-9; // distance of a unit normal below which it is the axis
 
-vtkSmartPointer<vtkPoints> PointsOf(const SphericalStyle::Points& P)
+/// Without triangles that hardly have an area, unless there are no others.
+SphericalStyle::TriangleMesh Clear(const SphericalStyle::TriangleMesh& mesh)
 {
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(P.rows());
-  for (Eigen::Index i = 0; i < P.rows(); ++i)
+  const Eigen::VectorXd areas = SphericalStyle::TriangleAreas(mesh.P, mesh.F);
+  std::vector<Eigen::Index> clear;
+  for (Eigen::Index f = 0; f < areas.size(); ++f)
   {
-    points->SetPoint(i, P.row(i).data());
+    if (areas(f) > LeastArea)
+    {
+      clear.push_back(f);
+    }
   }
-  return points;
+  return clear.empty()
+    ? mesh
+    : SphericalStyle::TriangleMesh{ mesh.P, mesh.F(clear, SphericalStyle::AllColumns) };
 }
 
 /// Of equal area: the first ones are spread as evenly as all are, by the generalized golden ratio
 /// of three dimensions.
-void TakeSamples(const SphericalStyle::TriangleMesh& mesh, SphericalStyle::Points& samples,
-  SphericalStyle::Points& normals)
+SphericalStyle::Points TakeSamples(const SphericalStyle::TriangleMesh& mesh)
 {
+  SphericalStyle::Points samples(AllSamples, 3);
   const Eigen::VectorXd areas = SphericalStyle::TriangleAreas(mesh.P, mesh.F);
   std::vector<double> sums(areas.size());
   std::partial_sum(areas.begin(), areas.end(), sums.begin());
@@ -71,8 +69,8 @@ void TakeSamples(const SphericalStyle::TriangleMesh& mesh, SphericalStyle::Point
     const Eigen::RowVector3d c = mesh.P.row(mesh.F(f, 2)) - a;
     const double root = std::sqrt(u);
     samples.row(k) = a + root * ((1.0 - v) * b + v * c);
-    normals.row(k) = b.cross(c).stableNormalized();
   }
+  return samples;
 }
 
 /// A mirrored sample.
@@ -89,7 +87,7 @@ struct Search
 {
   int samples;
   int rounds;
-  bool exact;              // the surface itself, and not samples of it
+  bool exact;              // to the nearest point itself, and not to the plane through it
   double converged = 1e-6; // step, where the diagonal is 1
   bool turns = true;       // whether the normal is looked for, too
 };
@@ -104,46 +102,34 @@ public:
   vtkSymmetryPlane::Found InModel(const MirrorPlane& plane) const;
 
 private:
+  Vector3d NormalOf(int f) const;
   std::vector<Image> Mirror(const MirrorPlane& plane, const Search& search) const;
   MirrorPlane Refined(MirrorPlane plane, const Search& search) const;
   double Cost(const MirrorPlane& plane, const Search& search) const;
   double ShareNear(const MirrorPlane& plane) const;
 
   SphericalStyle::Frame Units;
-  SphericalStyle::Points Samples; // in the frame; the first ones are spread over the surface, too
-  SphericalStyle::Points Normals; // of the samples
+  SphericalStyle::TriangleMesh Framed;
+  SphericalStyle::TriangleTree Tree;
+  SphericalStyle::Points Samples; // the first ones are spread over the surface, too
   int Threads;
-  vtkNew<vtkStaticPointLocator> Points; // of the samples
-  vtkNew<vtkStaticCellLocator> Cells;   // of the surface
 };
 
 Symmetry::Symmetry(const SphericalStyle::TriangleMesh& mesh, int threads)
   : Units(SphericalStyle::FrameOf(mesh.P))
-  , Samples(AllSamples, 3)
-  , Normals(AllSamples, 3)
+  , Framed(Clear({ this->Units.Into(mesh.P), mesh.F }))
+  , Tree(this->Framed.P, this->Framed.F)
+  , Samples(TakeSamples(this->Framed))
   , Threads(threads)
 {
-  const SphericalStyle::TriangleMesh framed{ this->Units.Into(mesh.P), mesh.F };
-  TakeSamples(framed, this->Samples, this->Normals);
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(PointsOf(this->Samples));
-  this->Points->SetDataSet(cloud);
-  this->Points->BuildLocator();
-  vtkNew<vtkCellArray> triangles;
-  const Eigen::VectorXd areas = SphericalStyle::TriangleAreas(framed.P, framed.F);
-  for (Eigen::Index f = 0; f < framed.F.rows(); ++f)
-  {
-    if (areas(f) > LeastArea)
-    {
-      triangles->InsertNextCell({ framed.F(f, 0), framed.F(f, 1), framed.F(f, 2) });
-    }
-  }
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(PointsOf(framed.P));
-  surface->SetPolys(triangles);
-  surface->BuildCells();
-  this->Cells->SetDataSet(surface);
-  this->Cells->BuildLocator();
+}
+
+Vector3d Symmetry::NormalOf(int f) const
+{
+  const Vector3d a = this->Framed.P.row(this->Framed.F(f, 0));
+  const Vector3d b = this->Framed.P.row(this->Framed.F(f, 1));
+  const Vector3d c = this->Framed.P.row(this->Framed.F(f, 2));
+  return (b - a).cross(c - a).stableNormalized();
 }
 
 std::vector<Image> Symmetry::Mirror(const MirrorPlane& plane, const Search& search) const
@@ -152,30 +138,18 @@ std::vector<Image> Symmetry::Mirror(const MirrorPlane& plane, const Search& sear
   SphericalStyle::ParallelFor(search.samples, this->Threads,
     [&](int begin, int end)
     {
-      vtkNew<vtkGenericCell> cell;
       for (int k = begin; k < end; ++k)
       {
         Image& image = images[k];
         image.sample = this->Samples.row(k);
         const Vector3d place = plane.Mirror(image.sample);
-        if (!search.exact)
-        {
-          const vtkIdType nearest = this->Points->FindClosestPoint(place.data());
-          const Vector3d offset = place - this->Samples.row(nearest).transpose();
-          image.distance = offset.norm();
-          image.direction = this->Normals.row(nearest);
-          image.along = image.direction.dot(offset);
-          continue;
-        }
-        Vector3d closest;
-        vtkIdType id = -1;
-        int part = 0;
-        double square = 0.0;
-        this->Cells->FindClosestPoint(place.data(), closest.data(), cell, id, part, square);
-        const Vector3d offset = place - closest;
+        SphericalStyle::NearestPoint nearest(this->Framed.P, this->Framed.F, place);
+        nearest.Search(this->Tree);
+        const Vector3d offset = place - nearest.GetPoint();
         image.distance = offset.norm();
-        image.direction = offset.stableNormalized();
-        image.along = image.distance;
+        image.direction =
+          search.exact ? offset.stableNormalized() : this->NormalOf(nearest.GetTriangle());
+        image.along = image.direction.dot(offset);
       }
     });
   return images;
