@@ -37,7 +37,7 @@
  * number of components or tuples, or a value that is no whole number (the first id is named).
  * Warnings: fewer or more parts than NumberOfParts.
  *
- * Cost: by shape some .3 seconds a part, whatever the number of points.
+ * Cost: by shape 1 to 3 seconds, more with many parts, whatever the number of points.
  *
  * @sa vtkSphericalStyleFilter vtkConnectivityFilter vtkThreshold
  */

@@ -777,6 +777,49 @@ void SurfaceGrid::NumberFunctions(const std::vector<int>& cells)
   }
 }
 
+SurfaceGrid SurfaceGrid::At(const std::vector<int>& samples) const
+{
+  SurfaceGrid grid;
+  grid.Everybody = this->Everybody;
+  grid.Size = this->Size;
+  grid.Spacing = this->Spacing;
+  grid.PerSpacing = this->PerSpacing;
+  grid.Half = this->Half;
+  grid.CellOfBox.assign(this->CellOfBox.size(), Outside);
+  std::vector<int> boxOf(this->FirstSample.size() - 1);
+  for (std::size_t box = 0; box < this->CellOfBox.size(); ++box)
+  {
+    if (this->CellOfBox[box] != Outside)
+    {
+      boxOf[this->CellOfBox[box]] = static_cast<int>(box);
+    }
+  }
+  std::vector<int> cells;
+  auto sample = samples.begin();
+  for (std::size_t c = 0; c < boxOf.size(); ++c)
+  {
+    const auto first = sample;
+    sample = std::lower_bound(first, samples.end(), this->FirstSample[c + 1]);
+    if (sample != first)
+    {
+      cells.push_back(boxOf[c]);
+      grid.FirstSample.push_back(static_cast<int>(first - samples.begin()));
+    }
+  }
+  grid.FirstSample.push_back(static_cast<int>(samples.size()));
+  grid.NumberFunctions(cells);
+  grid.Locals = this->Locals(samples, AllColumns);
+  grid.Weights = this->Weights(samples);
+  grid.Places = this->Places(samples, AllColumns);
+  grid.AreaVectors = this->AreaVectors(samples, AllColumns);
+  grid.Tangents = this->Tangents(samples, AllColumns);
+  for (const int k : samples)
+  {
+    grid.Spreads.push_back(this->Spreads[k]);
+  }
+  return grid;
+}
+
 namespace
 {
 // Entry `shift` of function g, the other function having a larger number, or g itself.

@@ -77,6 +77,12 @@ public:
   SurfaceGrid(
     const Points& P, const Triangles& F, double size, int threads, const SurfacePart& part = {});
 
+  /// The same grid with no other samples than these, and the functions that count there: for fields
+  /// on a part of the surface, to factor and solve for, and to have at its samples. Knows no points
+  /// and no factor.
+  /// @param samples  ascending, some @return one whose sample i is samples[i]
+  SurfaceGrid At(const std::vector<int>& samples) const;
+
   /// A_s, and its factor. The ridge is that of the sum without pairs. @param pairs  no more than
   /// three cells apart; those of the same two different cells count as one at their mean places.
   /// Each adds s^2 weight (phi(u) - phi(v)) (phi(u) - phi(v))^T [wall]; one with an end in a cell

@@ -91,10 +91,21 @@ private:
   /// @param search  whether it may be cut
   OpenPart Open(Samples samples, bool search);
   bool AreEnough(std::size_t parts) const;
-  Fields FieldsOf(const Samples& part, const Eigen::VectorXd& mass);
+  Fields FieldsOf(const Samples& part) const;
   Fields SourceFields(
-    const Samples& part, const Fields& smooth, const Eigen::VectorXd& eigenvalues);
-  Cut Sweep(const Samples& part, const Fields& u, int field, int direction, double area) const;
+    const SurfaceGrid& grid, const Fields& smooth, const Eigen::VectorXd& eigenvalues) const;
+  /// What the sweeps over a part have in common.
+  struct Swept
+  {
+    const Samples& samples;
+    double area = 0.0;
+    double logThickness = 0.0;     // integral
+    std::vector<char> inside;      // of all samples
+    std::vector<double> conducted; // of all pairs, w_kl kappa_kl
+  };
+  Swept PrepareSweeps(const Samples& part, double area) const;
+  std::array<Cut, 2> Sweep(const Swept& part, const Fields& u, int field) const;
+  Cut Sweep(const Swept& part, const Samples& order, const std::vector<double>& levels) const;
   std::vector<Samples> CutOff(const Samples& part, const Fields& u, const Cut& cut) const;
   void Heal(const std::vector<Samples>& pieces);
   SurfacePartsResult Result(const std::vector<OpenPart>& parts);
@@ -271,26 +282,23 @@ std::vector<Samples> PartFinder::Pieces(const Samples& samples, const std::vecto
   return pieces;
 }
 
-/// The fields to cut along: nine smooth ones, then those of the sources, samples x 21.
-Fields PartFinder::FieldsOf(const Samples& part, const Eigen::VectorXd& mass)
+/// The fields to cut along: nine smooth ones, then those of the sources. samples x 21; not of the
+/// part 0.
+Fields PartFinder::FieldsOf(const Samples& part) const
 {
   const int threads = this->Options.threads;
-  Eigen::VectorXd conductivity = Eigen::VectorXd::Zero(this->Count());
-  for (const int k : part)
-  {
-    conductivity(k) = this->Conductivity(k);
-  }
-  this->Grid.FactorConduction(conductivity, MassOfFields, threads);
-  const Eigen::VectorXd inside = (mass.array() > 0.0).cast<double>();
+  SurfaceGrid grid = this->Grid.At(part);
+  grid.FactorConduction(this->Conductivity(part), MassOfFields, threads);
+  const Eigen::VectorXd& mass = grid.GetWeights();
   const double area = mass.sum();
-  const Points& x = this->Grid.GetPlaces();
-  Fields u(this->Count(), SmoothFields);
+  const Points& x = grid.GetPlaces();
+  Fields u(x.rows(), SmoothFields);
   u << x, x.cwiseProduct(x), x.col(0).cwiseProduct(x.col(1)), x.col(1).cwiseProduct(x.col(2)),
     x.col(2).cwiseProduct(x.col(0));
   const auto center = [&](Fields& fields)
   {
     const Eigen::RowVectorXd mean = (mass.transpose() * fields) / area;
-    fields = inside.asDiagonal() * (fields.rowwise() - mean);
+    fields.rowwise() -= mean;
   };
   Eigen::VectorXd eigenvalues;
   for (int i = 0; i < Iterations; ++i)
@@ -299,7 +307,7 @@ Fields PartFinder::FieldsOf(const Samples& part, const Eigen::VectorXd& mass)
     const Eigen::VectorXd lengths =
       (mass.transpose() * u.cwiseAbs2()).cwiseSqrt().cwiseMax(1e-300).transpose();
     u = u * lengths.cwiseInverse().asDiagonal();
-    const Fields solved = this->Grid.AtSamples(this->Grid.Smooth(u, threads), threads);
+    const Fields solved = grid.AtSamples(grid.Smooth(u, threads), threads);
     // In the space of the solutions y = A^-1 M u: y^T A y = y^T M u, and y^T M y.
     Eigen::MatrixXd A = solved.transpose() * mass.asDiagonal() * u;
     A = 0.5 * (A + A.transpose()).eval();
@@ -311,33 +319,32 @@ Fields PartFinder::FieldsOf(const Samples& part, const Eigen::VectorXd& mass)
     eigenvalues = ritz.eigenvalues().reverse().cwiseMax(1e-300).cwiseInverse();
     u = y * ritz.eigenvectors().rowwise().reverse();
   }
-  Fields all(this->Count(), SmoothFields + Sources);
-  all << u, this->SourceFields(part, u, eigenvalues);
+  const Fields sources = this->SourceFields(grid, u, eigenvalues);
+  Fields all = Fields::Zero(this->Count(), SmoothFields + Sources);
+  for (std::size_t i = 0; i < part.size(); ++i)
+  {
+    const auto row = static_cast<Eigen::Index>(i);
+    all.row(part[i]) << u.row(row), sources.row(row);
+  }
   return all;
 }
 
 Fields PartFinder::SourceFields(
-  const Samples& part, const Fields& smooth, const Eigen::VectorXd& eigenvalues)
+  const SurfaceGrid& grid, const Fields& smooth, const Eigen::VectorXd& eigenvalues) const
 {
   const Fields at = smooth * eigenvalues.cwiseSqrt().cwiseInverse().asDiagonal();
-  std::vector<double> distance(part.size(), NoCut);
-  std::vector<double> lengths(part.size());
-  std::transform(
-    part.begin(), part.end(), lengths.begin(), [&](int k) { return at.row(k).squaredNorm(); });
-  auto far = std::max_element(lengths.begin(), lengths.end()) - lengths.begin();
-  Fields sources = Fields::Zero(this->Count(), Sources);
+  Eigen::VectorXd distance = Eigen::VectorXd::Constant(at.rows(), NoCut);
+  Eigen::Index source = 0;
+  at.rowwise().squaredNorm().maxCoeff(&source);
+  Fields sources = Fields::Zero(at.rows(), Sources);
   for (int s = 0; s < Sources; ++s)
   {
-    const int source = part[far];
-    sources(source, s) = 1.0 / this->Weights(source);
-    for (std::size_t i = 0; i < part.size(); ++i)
-    {
-      distance[i] = std::min(distance[i], (at.row(part[i]) - at.row(source)).squaredNorm());
-    }
-    far = std::max_element(distance.begin(), distance.end()) - distance.begin();
+    sources(source, s) = 1.0 / grid.GetWeights()(source);
+    distance = distance.cwiseMin((at.rowwise() - at.row(source)).rowwise().squaredNorm());
+    distance.maxCoeff(&source);
   }
   const int threads = this->Options.threads;
-  return this->Grid.AtSamples(this->Grid.Smooth(sources, threads), threads);
+  return grid.AtSamples(grid.Smooth(sources, threads), threads);
 }
 
 /// Sets of samples that grow together while a level sweeps over them, with what they have.
@@ -356,6 +363,15 @@ public:
     double length = 0.0;    // of the border
     double conducted = 0.0; // the same, times kappa
     double thickness = 0.0; // area times log rho
+
+    Sum& operator+=(const Sum& more)
+    {
+      this->area += more.area;
+      this->length += more.length;
+      this->conducted += more.conducted;
+      this->thickness += more.thickness;
+      return *this;
+    }
   };
 
   bool Has(int k) const { return this->Up[k] != NotThere; }
@@ -370,12 +386,7 @@ public:
     const int other = RootOf(this->Up, l);
     if (other != k)
     {
-      const Sum& more = this->Sums[other];
-      Sum& sum = this->Sums[k];
-      sum.area += more.area;
-      sum.length += more.length;
-      sum.conducted += more.conducted;
-      sum.thickness += more.thickness;
+      this->Sums[k] += this->Sums[other];
       this->Up[other] = k;
     }
   }
@@ -386,29 +397,61 @@ private:
   std::vector<Sum> Sums;
 };
 
-/// The best piece below (direction 1) or above (-1) a level of u.
-Cut PartFinder::Sweep(
-  const Samples& part, const Fields& u, int field, int direction, double area) const
+PartFinder::Swept PartFinder::PrepareSweeps(const Samples& part, double area) const
 {
-  Samples order = part;
-  std::stable_sort(order.begin(), order.end(),
-    [&](int k, int l) { return direction * u(k, field) < direction * u(l, field); });
-  std::vector<char> inside(this->Count(), 0);
-  double thicknessOfAll = 0.0;
+  Swept swept = { part, area, 0.0, std::vector<char>(this->Count(), 0),
+    std::vector<double>(this->Pairs.weights.size()) };
   for (const int k : part)
   {
-    inside[k] = 1;
-    thicknessOfAll += this->Weights(k) * this->LogThickness(k);
+    swept.inside[k] = 1;
+    swept.logThickness += this->Weights(k) * this->LogThickness(k);
+    for (int e = this->Pairs.first[k]; e < this->Pairs.first[k + 1]; ++e)
+    {
+      swept.conducted[e] = this->Pairs.weights[e] *
+        std::sqrt(this->Conductivity(k) * this->Conductivity(this->Pairs.others[e]));
+    }
   }
-  GrowingPieces pieces(inside.size());
+  return swept;
+}
+
+/// The best pieces below and above a level of u.
+std::array<Cut, 2> PartFinder::Sweep(const Swept& part, const Fields& u, int field) const
+{
+  std::vector<double> levels(this->Count());
+  for (const int k : part.samples)
+  {
+    levels[k] = u(k, field);
+  }
+  Samples order = part.samples;
+  std::sort(order.begin(), order.end(),
+    [&](int k, int l) { return levels[k] < levels[l] || (levels[k] == levels[l] && k < l); });
+  std::array<Cut, 2> cuts;
+  cuts[0] = this->Sweep(part, order, levels);
+  std::reverse(order.begin(), order.end());
+  cuts[1] = this->Sweep(part, order, levels);
+  cuts[1].direction = -1;
+  for (Cut& cut : cuts)
+  {
+    cut.field = field;
+  }
+  return cuts;
+}
+
+/// The best piece of those samples that have come up to some place of the order.
+Cut PartFinder::Sweep(
+  const Swept& part, const Samples& order, const std::vector<double>& levels) const
+{
+  GrowingPieces pieces(levels.size());
   Cut best;
   for (const int k : order)
   {
-    pieces.Add(k, { this->Weights(k), 0.0, 0.0, this->Weights(k) * this->LogThickness(k) });
+    GrowingPieces::Sum own = { this->Weights(k), 0.0, 0.0,
+      this->Weights(k) * this->LogThickness(k) };
+    pieces.Add(k, {});
     for (int e = this->Pairs.first[k]; e < this->Pairs.first[k + 1]; ++e)
     {
       const int l = this->Pairs.others[e];
-      if (!inside[l])
+      if (!part.inside[l])
       {
         continue;
       }
@@ -417,26 +460,28 @@ Cut PartFinder::Sweep(
       {
         pieces.Join(k, l);
       }
-      const double length = joins ? -this->Pairs.weights[e] : this->Pairs.weights[e];
-      pieces[k].length += length;
-      pieces[k].conducted += length * std::sqrt(this->Conductivity(k) * this->Conductivity(l));
+      own.length += joins ? -this->Pairs.weights[e] : this->Pairs.weights[e];
+      own.conducted += joins ? -part.conducted[e] : part.conducted[e];
     }
-    const GrowingPieces::Sum& sum = pieces[k];
+    GrowingPieces::Sum& sum = pieces[k];
+    sum += own;
     const double sphere = std::sqrt(2.0 * Pi * sum.area);
-    if (sum.area < LeastPart * this->Area || sum.area > 0.5 * area ||
+    if (sum.area < LeastPart * this->Area || sum.area > 0.5 * part.area ||
       !(sum.length < LongestBorder * sphere))
     {
       continue;
     }
     const double length = std::max(sum.length, 0.0);
     const double kappa = length > 0.0 ? std::max(sum.conducted, 0.0) / length : 1.0;
-    const double thinner =
-      std::abs(sum.thickness / sum.area - (thicknessOfAll - sum.thickness) / (area - sum.area));
+    const double thinner = std::abs(
+      sum.thickness / sum.area - (part.logThickness - sum.thickness) / (part.area - sum.area));
     const double q =
       length / sphere * std::pow(kappa, ConcavityPower) * std::exp(-ThicknessWeight * thinner);
     if (q < best.q)
     {
-      best = { q, field, direction, u(k, field), k };
+      best.q = q;
+      best.level = levels[k];
+      best.sample = k;
     }
   }
   return best;
@@ -495,16 +540,15 @@ OpenPart PartFinder::Open(Samples samples, bool search)
   {
     throw SolveAborted{};
   }
-  Eigen::VectorXd mass = Eigen::VectorXd::Zero(this->Count());
-  for (const int k : part.samples)
-  {
-    mass(k) = this->Weights(k);
-  }
-  const Fields u = this->FieldsOf(part.samples, mass);
+  const Fields u = this->FieldsOf(part.samples);
+  const Swept swept = this->PrepareSweeps(part.samples, part.area);
   std::vector<Cut> cuts(2 * u.cols());
-  ParallelTasks(static_cast<int>(cuts.size()), this->Options.threads,
-    [&](int task)
-    { cuts[task] = this->Sweep(part.samples, u, task / 2, 1 - 2 * (task % 2), part.area); });
+  ParallelTasks(static_cast<int>(u.cols()), this->Options.threads,
+    [&](int field)
+    {
+      const std::array<Cut, 2> found = this->Sweep(swept, u, field);
+      std::copy(found.begin(), found.end(), cuts.begin() + 2 * static_cast<std::ptrdiff_t>(field));
+    });
   const Cut& best = *std::min_element(
     cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.q < b.q; });
   if (best.sample != NotThere)
@@ -671,7 +715,6 @@ SurfacePartsResult PartFinder::Result(const std::vector<OpenPart>& parts)
     logThickness(p) += this->Weights(k) * this->LogThickness(k);
   }
   const int threads = this->Options.threads;
-  this->Grid.Factor({}, threads);
   shares = this->Grid.AtPoints(this->Grid.Smooth(shares, threads), this->P, threads);
   SurfacePartsResult result;
   result.parts.resize(shares.rows());

@@ -59,8 +59,8 @@ struct SurfacePartsResult
 /// @param callback  asked before each search for a cut, with its number
 /// @return fewer parts than wanted where nothing more can be cut off; more where there are more
 /// loose pieces. The same for any number of threads. @throw SolverError, SolveAborted
-/// Cost: a search takes some tenths of a second, whatever the number of triangles; there are twice
-/// as many as parts.
+/// Cost: a search takes some tenths of a second, whatever the number of triangles, and less in a
+/// small part; there are twice as many as parts.
 SurfacePartsResult FindParts(
   const Points& P, const Triangles& F, const PartsOptions& options, const Callback& callback = {});
 } // namespace SphericalStyle

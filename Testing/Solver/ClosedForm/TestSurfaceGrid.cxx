@@ -10,7 +10,10 @@
 #include "SurfaceGrid.h"
 #include "SurfaceMeasures.h"
 
+#include <algorithm>
+#include <numeric>
 #include <string>
+#include <vector>
 
 using namespace SphericalStyle;
 
@@ -329,6 +332,44 @@ void Coarser(const Framed& s)
   CHECK(per > 2.0 && per < 15.0, s.name << ": " << per << " functions per spacing^2");
 }
 
+/// The grid at some of the samples: at all of them it is the same, and at those of one of two
+/// surfaces that are far from each other it gives what both give there.
+void AtSome(const Framed& two)
+{
+  SurfaceGrid whole(two.P, two.F, 0.05, 1);
+  const int m = whole.GetNumberOfSamples();
+  std::vector<int> all(m);
+  std::iota(all.begin(), all.end(), 0);
+  SurfaceGrid same = whole.At(all);
+  const Fields X = Linear(whole.GetPlaces());
+  whole.Factor({}, 1);
+  same.Factor({}, 1);
+  const Fields smooth = whole.AtSamples(whole.Smooth(X, 1), 1);
+  CHECK(Largest(same.AtSamples(same.Smooth(X, 1), 1) - smooth) == 0.0, "all samples are the grid");
+
+  std::vector<int> some = all; // beyond the widest gap along x
+  const auto x = [&whole](int k) { return whole.GetPlaces()(k, 0); };
+  std::sort(some.begin(), some.end(), [&](int k, int l) { return x(k) < x(l); });
+  int after = 1;
+  for (int i = 1; i < m; ++i)
+  {
+    after = x(some[i]) - x(some[i - 1]) > x(some[after]) - x(some[after - 1]) ? i : after;
+  }
+  some.erase(some.begin(), some.begin() + after);
+  std::sort(some.begin(), some.end());
+  SurfaceGrid part = whole.At(some);
+  CHECK(part.GetNumberOfSamples() < m && part.GetNumberOfSamples() > 0 &&
+      part.GetNumberOfFunctions() < whole.GetNumberOfFunctions(),
+    "some samples have some functions");
+  part.Factor({}, 1);
+  const Fields there = part.AtSamples(part.Smooth(Linear(part.GetPlaces()), 1), 1);
+  // The ridge is a share of the mean diagonal, which is that of both or of one.
+  CHECK(Largest(there - Fields(smooth(some, AllColumns))) < 3e-4,
+    "a part of its own differs by " << Largest(there - Fields(smooth(some, AllColumns))));
+  CHECK_NEAR(
+    part.GetWeights().sum(), Eigen::VectorXd(whole.GetWeights()(some)).sum(), 1e-15, "its area");
+}
+
 /// Nothing lies outside of the surface's cells.
 void Outside(const Framed& s)
 {
@@ -357,5 +398,7 @@ int main()
   Walls();
   Coarser(surfaces.front());
   Outside(surfaces.front());
+  AtSome(*std::find_if(
+    surfaces.begin(), surfaces.end(), [](const Framed& s) { return s.name == "two parts"; }));
   return CheckResult();
 }
