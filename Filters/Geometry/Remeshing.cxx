@@ -6,13 +6,11 @@
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
@@ -109,35 +107,147 @@ bool SplitOnce(TriangleMesh& mesh, double edgeLength)
   return !added.empty();
 }
 
-/// Cuts sharp edges into equal parts about as long as the edge length. CGAL cuts in halves, so that
-/// a box would have a half or the double of the points asked for.
-template <typename EdgeMap>
-void CutSharpEdges(SurfaceMesh& mesh, EdgeMap sharp, double edgeLength)
+/// Points along the sides of a triangle, in order.
+using Chain = std::vector<int>;
+
+/// Triangles between two chains that begin in one point and end in one: always by the shorter of
+/// the two next diagonals. A chain may have two sides of a triangle, the other one is straight.
+/// @param left  straight, goes the way of the triangles
+void Zip(const Points& P, const Chain& left, const Chain& right, std::vector<ThreeCorners>& parts)
 {
-  std::vector<SurfaceMesh::Edge_index> edges;
-  std::copy_if(mesh.edges().begin(), mesh.edges().end(), std::back_inserter(edges),
-    [&](SurfaceMesh::Edge_index edge) { return sharp[edge]; });
-  for (const SurfaceMesh::Edge_index edge : edges)
+  std::size_t i = 1;
+  std::size_t j = 1;
+  parts.push_back({ left[0], left[1], right[1] });
+  while (i + 1 < left.size() || j + 2 < right.size())
   {
-    const SurfaceMesh::Halfedge_index rest = mesh.halfedge(edge);
-    const Point3 start = mesh.point(mesh.source(rest));
-    const auto line = mesh.point(mesh.target(rest)) - start;
-    const auto parts = std::lround(std::sqrt(line.squared_length()) / edgeLength);
-    for (long k = 1; k < parts; ++k)
+    // The common end comes last, by the left: three points of one side are no triangle.
+    const bool rightIsDone = j + 2 >= right.size();
+    const bool leftWaits = !rightIsDone && i + 2 >= left.size();
+    const bool goesLeft = rightIsDone ||
+      (!leftWaits &&
+        (P.row(left[i + 1]) - P.row(right[j])).squaredNorm() <=
+          (P.row(left[i]) - P.row(right[j + 1])).squaredNorm());
+    if (goesLeft)
     {
-      const SurfaceMesh::Halfedge_index part = CGAL::Euler::split_edge(rest, mesh);
-      mesh.point(mesh.target(part)) = start + static_cast<double>(k) / parts * line;
-      sharp[mesh.edge(part)] = true;
-      for (const auto& [to, from] :
-        { std::pair(part, rest), std::pair(mesh.opposite(rest), mesh.opposite(part)) })
-      {
-        if (!mesh.is_border(to))
-        {
-          CGAL::Euler::split_face(to, mesh.next(from), mesh);
-        }
-      }
+      parts.push_back({ left[i], left[i + 1], right[j] });
+      ++i;
+    }
+    else
+    {
+      parts.push_back({ left[i], right[j + 1], right[j] });
+      ++j;
     }
   }
+}
+
+/// Cuts edges into equal parts about as long as the edge length. CGAL cuts in halves, so that a box
+/// would have a half or the double of the points asked for.
+class EvenlyCut
+{
+public:
+  EvenlyCut(const TriangleMesh& mesh, double edgeLength)
+    : P(mesh.P)
+  {
+    for (const auto& t : mesh.F.rowwise())
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        this->CutEdge(t[k], t[(k + 1) % 3], edgeLength);
+      }
+    }
+    this->P.conservativeResize(mesh.P.rows() + static_cast<Eigen::Index>(this->Added.size()), 3);
+    for (std::size_t i = 0; i < this->Added.size(); ++i)
+    {
+      this->P.row(mesh.P.rows() + static_cast<Eigen::Index>(i)) = this->Added[i];
+    }
+    for (const auto& t : mesh.F.rowwise())
+    {
+      this->CutTriangle({ t[0], t[1], t[2] });
+    }
+  }
+
+  TriangleMesh GetMesh() const
+  {
+    TriangleMesh mesh{ this->P, Triangles(static_cast<Eigen::Index>(this->Parts.size()), 3) };
+    for (std::size_t f = 0; f < this->Parts.size(); ++f)
+    {
+      mesh.F.row(static_cast<Eigen::Index>(f)) << this->Parts[f][0], this->Parts[f][1],
+        this->Parts[f][2];
+    }
+    return mesh;
+  }
+
+  /// The points of an edge.
+  Chain Side(int u, int v) const
+  {
+    Chain side = this->Sides.at(std::minmax(u, v));
+    if (u > v)
+    {
+      std::reverse(side.begin(), side.end());
+    }
+    return side;
+  }
+
+private:
+  void CutEdge(int u, int v, double edgeLength)
+  {
+    const auto [from, to] = std::minmax(u, v);
+    Chain& side = this->Sides[{ from, to }];
+    if (!side.empty())
+    {
+      return;
+    }
+    side.push_back(from);
+    const Eigen::RowVector3d line = this->P.row(to) - this->P.row(from);
+    const auto parts = std::lround(line.norm() / edgeLength);
+    for (long k = 1; k < parts; ++k)
+    {
+      side.push_back(static_cast<int>(this->P.rows()) + static_cast<int>(this->Added.size()));
+      this->Added.emplace_back(this->P.row(from) + static_cast<double>(k) / parts * line);
+    }
+    side.push_back(to);
+  }
+
+  /// From the corner across the shortest side, which meets the two long ones.
+  void CutTriangle(ThreeCorners t)
+  {
+    const auto length = [&](int k)
+    { return (this->P.row(t[(k + 1) % 3]) - this->P.row(t[(k + 2) % 3])).squaredNorm(); };
+    int shortest = 0;
+    for (int k = 1; k < 3; ++k)
+    {
+      shortest = length(k) < length(shortest) ? k : shortest;
+    }
+    std::rotate(t.begin(), t.begin() + shortest, t.end());
+    const Chain left = this->Side(t[0], t[1]);
+    Chain right = this->Side(t[0], t[2]);
+    const Chain across = this->Side(t[2], t[1]);
+    right.insert(right.end(), across.begin() + 1, across.end());
+    Zip(this->P, left, right, this->Parts);
+  }
+
+  Points P;
+  std::vector<Eigen::RowVector3d> Added;
+  std::map<std::pair<int, int>, Chain> Sides;
+  std::vector<ThreeCorners> Parts;
+};
+
+/// Those of a hull's edges that stay where they are.
+std::vector<std::array<int, 2>> SharpEdges(const TriangleMesh& mesh)
+{
+  SurfaceMesh surface = ToSurfaceMesh(mesh);
+  auto sharp = surface.add_property_map<SurfaceMesh::Edge_index, bool>("e:sharp", false).first;
+  PMP::detect_sharp_edges(surface, SharpEdgeDegrees, sharp);
+  std::vector<std::array<int, 2>> edges;
+  for (const SurfaceMesh::Edge_index edge : surface.edges())
+  {
+    if (sharp[edge])
+    {
+      edges.push_back(
+        { static_cast<int>(surface.vertex(edge, 0)), static_cast<int>(surface.vertex(edge, 1)) });
+    }
+  }
+  return edges;
 }
 } // namespace
 
@@ -149,10 +259,20 @@ double EdgeLengthFor(double area, int numberOfPoints)
 
 TriangleMesh IsotropicRemeshing(const TriangleMesh& mesh, double edgeLength)
 {
-  SurfaceMesh surface = ToSurfaceMesh(mesh);
+  // Not with long edges: CGAL would split those of a needle as often as there are points along it,
+  // for each of them.
+  const EvenlyCut cut(mesh, edgeLength);
+  SurfaceMesh surface = ToSurfaceMesh(cut.GetMesh());
   auto sharp = surface.add_property_map<SurfaceMesh::Edge_index, bool>("e:sharp", false).first;
-  PMP::detect_sharp_edges(surface, SharpEdgeDegrees, sharp);
-  CutSharpEdges(surface, sharp, edgeLength);
+  for (const auto& [u, v] : SharpEdges(mesh))
+  {
+    const Chain side = cut.Side(u, v);
+    for (std::size_t k = 1; k < side.size(); ++k)
+    {
+      using Vertex = SurfaceMesh::Vertex_index;
+      sharp[surface.edge(surface.halfedge(Vertex(side[k - 1]), Vertex(side[k])))] = true;
+    }
+  }
   PMP::isotropic_remeshing(surface.faces(), edgeLength, surface,
     PMP::parameters::number_of_iterations(5).number_of_relaxation_steps(2).edge_is_constrained_map(
       sharp));

@@ -471,7 +471,7 @@ void TestMeshers()
   {
     for (const ProxyMesher mesher : Meshers)
     {
-      for (const int asked : { 300, 1500 })
+      for (const int asked : { 300, 1000 })
       {
         const std::string name =
           NameOf(mesher) + " of " + model.name + ", " + std::to_string(asked);
@@ -504,10 +504,12 @@ void TestMeshers()
           const double share = ShareOfAnglesAbove(AtUnitSize(proxy.mesh, SizeOf(model.P)), 25.0);
           CHECK(share >= 0.95, name << ": the share of angles above 25 degrees is " << share);
         }
-        // Again, in another place of the memory.
-        const ScatteredMemory memory(static_cast<std::uint32_t>(asked) + 7);
-        CHECK(SameBits(proxy.mesh, MakeConvexProxy(model.P, With(mesher, asked)).mesh),
-          name << ": twice the same should have the same bits");
+        if (asked == 300) // again, in another place of the memory
+        {
+          const ScatteredMemory memory(static_cast<std::uint32_t>(asked) + 7);
+          CHECK(SameBits(proxy.mesh, MakeConvexProxy(model.P, With(mesher, asked)).mesh),
+            name << ": twice the same should have the same bits");
+        }
       }
     }
   }
