@@ -107,7 +107,7 @@ inline std::vector<Subject> Subjects()
         SetUpEnergy(f);
         f->SetEdgeWeightingToIntrinsicDelaunay();
         f->SetInitialGuessToRest(); // or the weights do not matter
-        f->SetDetailSize(0.03);
+        f->SetDetailSize(0.06);
       }),
     SubjectOf<vtkNonlinearStyleFilter>("vtkNonlinearStyleFilter",
       [](vtkNonlinearStyleFilter* f) { f->SetMaximumNumberOfIterations(5); }),
@@ -149,7 +149,11 @@ inline std::vector<Subject> Subjects()
       f->SetRoundness(5.0);
     }));
   all.push_back(SubjectOf<vtkConvexProxyDeformFilter>("vtkConvexProxyDeformFilter",
-    [](vtkConvexProxyDeformFilter* f) { f->SetRefineLongEdgesToOff(); }));
+    [](vtkConvexProxyDeformFilter* f)
+    {
+      f->SetRefineLongEdgesToOff();
+      f->SetNumberOfProxyPoints(500);
+    }));
 #endif
   return all;
 }
