@@ -12,6 +12,8 @@
 #include "vtkStyleArrays.h"
 #include "vtkSurfaceMeshConversion.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -21,10 +23,13 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkSurfacePartsFilter.h"
 #include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -123,6 +128,21 @@ struct vtkResizedParts
     }
     std::transform(heights.begin(), heights.end(), low.begin(), heights.begin(), std::minus<>());
     return heights;
+  }
+};
+
+/// Parts that were looked for, and the surface that has them.
+struct vtkPartSizesFilter::FoundParts
+{
+  SphericalStyle::TriangleMesh Mesh;
+  std::vector<int> MeshPoint;
+  vtkSmartPointer<vtkDataArray> Ids; // of the points of the input
+
+  bool AreOf(const vtkSurfaceMesh& surface) const
+  {
+    const SphericalStyle::TriangleMesh& other = surface.Mesh;
+    return this->Mesh.P.rows() == other.P.rows() && this->Mesh.F.rows() == other.F.rows() &&
+      this->Mesh.P == other.P && this->Mesh.F == other.F && this->MeshPoint == surface.MeshPoint;
   }
 };
 
@@ -352,7 +372,14 @@ int vtkPartSizesFilter::Execute(
   }
   this->CheckProperties();
   const vtkSurfaceMesh surface = Conversion::FromPolyData(input, true);
-  vtkResizedParts parts = this->TakeParts(input, surface);
+  vtkDataArray* ids = this->FindIds(input);
+  const bool areFound = ids == nullptr;
+  ids = areFound ? this->FindParts(input, surface) : ids;
+  if (!ids)
+  {
+    return 1; // aborted: nothing comes out, as everywhere in VTK
+  }
+  vtkResizedParts parts = this->TakeParts(ids, input->GetNumberOfPoints(), surface);
   Warn(this, Conversion::FannedRemark(surface));
   Warn(this, Conversion::SkippedRemark(surface));
   Warn(this, LateRemark(input, parts));
@@ -391,6 +418,10 @@ int vtkPartSizesFilter::Execute(
     }
   }
   output->ShallowCopy(input);
+  if (areFound)
+  {
+    output->GetPointData()->AddArray(ids);
+  }
   vtkMovedSurface::Fill(this, output, surface, Q);
   Conversion::AddDisplacement(output, input);
   if (shares.rows() > 0)
@@ -441,24 +472,61 @@ void vtkPartSizesFilter::CheckProperties() const
     this->BlendWidth);
 }
 
-/// @throw std::invalid_argument
-vtkResizedParts vtkPartSizesFilter::TakeParts(vtkPolyData* input, const vtkSurfaceMesh& surface)
+namespace
 {
-  constexpr const char* Purpose = "Part id";
+constexpr const char* PurposeOfIds = "Part id";
+}
+
+/// The array that numbers the parts, or nullptr where none is chosen and there is no PartId.
+/// @throw std::invalid_argument
+vtkDataArray* vtkPartSizesFilter::FindIds(vtkPolyData* input)
+{
+  vtkDataArray* chosen = vtkSurfaceMeshConversion::FindPointArray(
+    this->GetInputArrayInformation(0), input, PurposeOfIds);
+  return chosen ? chosen : input->GetPointData()->GetArray("PartId");
+}
+
+/// As vtkSurfacePartsFilter numbers them. @return nullptr after an abort
+vtkDataArray* vtkPartSizesFilter::FindParts(vtkPolyData* input, const vtkSurfaceMesh& surface)
+{
+  if (this->Found && this->Found->AreOf(surface))
+  {
+    return this->Found->Ids;
+  }
+  this->SetProgressText("Looking for parts");
+  vtkNew<vtkPolyData> bare;
+  bare->CopyStructure(input);
+  vtkNew<vtkSurfacePartsFilter> finder;
+  finder->SetInputData(bare);
+  vtkNew<vtkCallbackCommand> silence; // this filter gives the same remarks
+  finder->AddObserver(vtkCommand::WarningEvent, silence);
+  vtkNew<vtkCallbackCommand> progress;
+  progress->SetClientData(this);
+  progress->SetCallback(
+    [](vtkObject* caller, unsigned long, void* self, void*)
+    {
+      auto* looking = vtkAlgorithm::SafeDownCast(caller);
+      auto* filter = static_cast<vtkPartSizesFilter*>(self);
+      filter->UpdateProgress(0.1 * looking->GetProgress());
+      looking->SetAbortExecute(Aborted(filter) ? 1 : 0);
+    });
+  finder->AddObserver(vtkCommand::ProgressEvent, progress);
+  finder->Update();
+  vtkDataArray* ids = finder->GetOutput()->GetPointData()->GetArray("PartId");
+  if (!ids)
+  {
+    return nullptr;
+  }
+  this->Found = std::make_unique<FoundParts>(FoundParts{ surface.Mesh, surface.MeshPoint, ids });
+  return this->Found->Ids;
+}
+
+/// @throw std::invalid_argument
+vtkResizedParts vtkPartSizesFilter::TakeParts(
+  vtkDataArray* ids, vtkIdType numberOfPoints, const vtkSurfaceMesh& surface)
+{
   vtkResizedParts parts;
-  vtkDataArray* array =
-    vtkSurfaceMeshConversion::FindPointArray(this->GetInputArrayInformation(0), input, Purpose);
-  if (!array)
-  {
-    array = input->GetPointData()->GetArray("PartId");
-  }
-  if (!array)
-  {
-    throw std::invalid_argument(
-      "Part id: there is no point array \"PartId\", which numbers the parts; make one with Surface "
-      "Parts, or choose another array as PartArray");
-  }
-  const vtkIdValues given(array, Purpose, input->GetNumberOfPoints(), "point");
+  const vtkIdValues given(ids, PurposeOfIds, numberOfPoints, "point");
   parts.OfPoints = vtkIdValues::Ranks(given.OfMesh(surface), parts.Numbers);
   if (parts.Numbers.size() > MaximumNumberOfParts)
   {

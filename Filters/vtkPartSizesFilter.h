@@ -26,7 +26,8 @@
  *
  * Input array to process 0: the part of each point, 1 component, whole numbers, at most 256
  * different ones. Coincident points are of the part of the first of them. Default: the one named
- * PartId.
+ * PartId, or where there is none what vtkSurfacePartsFilter makes, which comes out as PartId. The
+ * search takes a second or more, and its result is kept while the surface stays the same.
  *
  * Output port 0: vtkPolyData with the cells, point order and every array of the input, the point
  * array Displacement (3; output minus input point, model length), and normals, recomputed if the
@@ -52,8 +53,9 @@
 #include "vtkSetRangeMacro.h"            // for its macro
 #include "vtkStyleAlgorithm.h"
 
-#include <map> // for std::map
-#include <set> // for std::set
+#include <map>    // for std::map
+#include <memory> // for std::unique_ptr
+#include <set>    // for std::set
 
 class vtkPolyData;
 struct vtkPartValues;
@@ -183,7 +185,10 @@ private:
   /// RequestData, which turns what this throws into a message.
   int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   void CheckProperties() const;
-  vtkResizedParts TakeParts(vtkPolyData* input, const vtkSurfaceMesh& surface);
+  vtkDataArray* FindIds(vtkPolyData* input);
+  vtkDataArray* FindParts(vtkPolyData* input, const vtkSurfaceMesh& surface);
+  vtkResizedParts TakeParts(
+    vtkDataArray* ids, vtkIdType numberOfPoints, const vtkSurfaceMesh& surface);
 
   /// Of a table: parts, and what is set for them.
   struct Rows
@@ -206,6 +211,9 @@ private:
   int Head = -1;
   bool KeepOnGround = false;
   int UpAxis = Y_AXIS;
+
+  struct FoundParts;
+  std::unique_ptr<FoundParts> Found; // kept while the surface stays the same
 };
 
 #endif

@@ -5,6 +5,7 @@
 #include "pqColors.h"
 #include "pqPropertyWidget.h"
 #include "pqScalarValueListPropertyWidget.h"
+#include "pqSourceOf.h"
 #include "pqView.h"
 #include "vtkDataObject.h"
 #include "vtkPVArrayInformation.h"
@@ -150,6 +151,12 @@ double pqPartRows::nextPart(const QVariantList& numbers) const
   vtkPVDataInformation* data = input ? input->GetDataInformation(port) : nullptr;
   vtkPVArrayInformation* array =
     data ? data->GetArrayInformation(this->array().data(), vtkDataObject::POINT) : nullptr;
+  auto* result = vtkSMSourceProxy::SafeDownCast(this->parentWidget()->proxy());
+  if (!array && result && pqExecutedSourceOf(result)) // found by the filter
+  {
+    array = result->GetDataInformation(0)->GetArrayInformation(
+      this->array().data(), vtkDataObject::POINT);
+  }
   std::set<double> taken;
   for (int k = 0; k < numbers.size(); k += 2)
   {

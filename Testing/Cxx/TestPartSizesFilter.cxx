@@ -5,16 +5,19 @@
 #include "ArrayTesting.h"
 #include "PropertyTesting.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 #include "vtkPartSizesFilter.h"
 #include "vtkSphericalStyleFilter.h"
+#include "vtkSurfacePartsFilter.h"
 #include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
+#include <string>
 
 using namespace FilterTesting;
 
@@ -380,18 +383,79 @@ void Refused(Checker& check)
   check(flat.Output()->GetNumberOfPoints() > 0 && flat.Errors.empty(),
     "along y there are heights" + Joined(flat.Errors));
 
-  check.About("no array");
-  Sizes without(Ball(1.0, 0.0));
-  without.Output();
-  check(without.Errors.size() == 1 && Contains(without.Errors[0], "make one with Surface Parts"),
-    "one error should say how to get one" + Joined(without.Errors));
-
   check.About("no such part");
   Sizes sizes(snowman);
   sizes->SetPartSize(5, 2.0);
   check(SamePoints(sizes.Output(), snowman) && sizes.Warnings.size() == 1 &&
       Contains(sizes.Warnings[0], "no part 5 to be given a size; there are 3, 7"),
     "a warning should say so" + Joined(sizes.Warnings));
+}
+
+/// Aborts the search for parts.
+void AbortSearch(vtkObject* caller, unsigned long, void*, void*)
+{
+  auto* filter = vtkAlgorithm::SafeDownCast(caller);
+  const char* text = filter->GetProgressText();
+  if (text && std::string(text) == "Looking for parts")
+  {
+    filter->SetAbortExecute(1);
+  }
+}
+
+/// Without an array the parts are those of vtkSurfacePartsFilter.
+void PartsOfItsOwn(Checker& check)
+{
+  check.About("no array");
+  const Surface bare = Together({ Ball(1.0, 0.0), Ball(0.6, 1.4) });
+  const auto sizedAs = [&check](vtkPartSizesFilter* filter, vtkPolyData* surface)
+  {
+    vtkNew<vtkSurfacePartsFilter> parts;
+    parts->SetInputData(surface);
+    parts->Update();
+    Sizes given(parts->GetOutput());
+    given->SetPartSize(1, 1.5);
+    vtkPolyData* output = filter->GetOutput();
+    check(output->GetPointData()->HasArray("PartId") &&
+        SameArray(output->GetPointData()->GetArray("PartId"),
+          parts->GetOutput()->GetPointData()->GetArray("PartId")),
+      "numbers should be those of Surface Parts");
+    check(SamePoints(output, given.Output()), "the result should be that with their array");
+  };
+  const Surface input = Copied(bare);
+  Sizes sizes(input);
+  sizes->SetPartSize(1, 1.5);
+  sizes.Output();
+  check(sizes.Errors.empty() && sizes.Warnings.empty() && sizes.Table()->GetNumberOfRows() == 2,
+    "there should be two parts" + Joined(sizes.Errors));
+  sizedAs(sizes.Get(), input);
+  const auto* kept = sizes.Get()->GetOutput()->GetPointData()->GetArray("PartId");
+  sizes->SetPartSize(1, 1.2);
+  sizes->SetPartSize(1, 1.5);
+  sizes.Output();
+  check(sizes.Get()->GetOutput()->GetPointData()->GetArray("PartId") == kept,
+    "another size should look for no parts");
+  double place[3];
+  input->GetPoints()->GetPoint(0, place);
+  input->GetPoints()->SetPoint(0, place[0], place[1] + 0.01, place[2]); // behind VTK's back
+  sizes->Modified();
+  sizes.Output();
+  check(
+    sizes.Get()->GetOutput()->GetPointData()->GetArray("PartId") != kept, "another surface should");
+  sizedAs(sizes.Get(), input);
+
+  check.About("a search that is aborted");
+  Sizes aborted(bare);
+  aborted->SetPartSize(1, 1.5);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback(AbortSearch);
+  const unsigned long tag = aborted->AddObserver(vtkCommand::ProgressEvent, abort);
+  check(aborted.Output()->GetNumberOfPoints() == 0 && aborted.Errors.empty(),
+    "nothing should come out" + Joined(aborted.Errors));
+  aborted->RemoveObserver(tag);
+  aborted->SetAbortExecute(0);
+  aborted->Modified();
+  aborted.Output();
+  sizedAs(aborted.Get(), bare);
 }
 
 /// Rows of a table, of which two may be of one part.
@@ -616,6 +680,7 @@ int TestPartSizesFilter(int, char*[])
   HeadHeight(check);
   Refused(check);
   Rows(check);
+  PartsOfItsOwn(check);
   Styles(check);
   WithoutTriangles(check);
   Properties(check);
