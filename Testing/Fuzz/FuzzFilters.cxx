@@ -22,6 +22,7 @@
 #include "vtkPrintableFilter.h"
 #endif
 
+#include "vtkInformation.h"
 #include "vtkLogger.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
@@ -325,6 +326,11 @@ Subject MakePartSizes(Bytes& bytes)
     const int part = bytes.Below(8);
     f->SetPartRoundness(part, bytes.Any());
     f->SetPartNormalBlend(part, bytes.Any());
+  }
+  const bool hasArray = f->GetInputArrayInformation(0)->Has(vtkDataObject::FIELD_NAME()) != 0;
+  if (!hasArray && bytes.Below(8) < 7) // a search for parts takes a second
+  {
+    f->SetInputArrayToProcess(0, 0, 0, OfPoints, ArrayName(bytes));
   }
   return { f, true };
 }
