@@ -210,6 +210,25 @@ std::string LateRemark(vtkPolyData* input, const vtkResizedParts& parts)
               : "";
 }
 
+void MakeTable(vtkTable* table, const vtkResizedParts& parts, const std::vector<double>& heights,
+  const std::vector<double>& newHeights)
+{
+  table->Initialize(); // an observer of progress may have asked for an update, which filled it
+  vtkNew<vtkIdTypeArray> number;
+  vtkNew<vtkDoubleArray> size, before, after;
+  for (int k = 0; k < parts.Count(); ++k)
+  {
+    number->InsertNextValue(parts.Numbers[k]);
+    size->InsertNextValue(parts.Sizes.Values(k));
+    before->InsertNextValue(heights[k]);
+    after->InsertNextValue(newHeights[k]);
+  }
+  AddColumn(table, number, "Part");
+  AddColumn(table, size, "Size");
+  AddColumn(table, before, "HeightBefore");
+  AddColumn(table, after, "Height");
+}
+
 /// The arrays of [styles], where there are rows for them.
 void AddStyles(vtkPolyData* output, const vtkSurfaceMesh& surface, const vtkResizedParts& parts,
   const SphericalStyle::Fields& shares)
@@ -428,24 +447,8 @@ int vtkPartSizesFilter::Execute(
   {
     AddStyles(output, surface, parts, shares);
   }
-
-  vtkTable* table = vtkTable::GetData(outputVector, 1);
-  table->Initialize(); // an observer of progress may have asked for an update, which filled it
-  vtkNew<vtkIdTypeArray> number;
-  vtkNew<vtkDoubleArray> size, before, after;
-  const std::vector<double> heights = parts.Heights(surface.Mesh.P, this->UpAxis);
-  const std::vector<double> newHeights = parts.Heights(Q, this->UpAxis);
-  for (int k = 0; k < parts.Count(); ++k)
-  {
-    number->InsertNextValue(parts.Numbers[k]);
-    size->InsertNextValue(parts.Sizes.Values(k));
-    before->InsertNextValue(heights[k]);
-    after->InsertNextValue(newHeights[k]);
-  }
-  AddColumn(table, number, "Part");
-  AddColumn(table, size, "Size");
-  AddColumn(table, before, "HeightBefore");
-  AddColumn(table, after, "Height");
+  MakeTable(vtkTable::GetData(outputVector, 1), parts, parts.Heights(surface.Mesh.P, this->UpAxis),
+    parts.Heights(Q, this->UpAxis));
   return 1;
 }
 
