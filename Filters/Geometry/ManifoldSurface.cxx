@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ManifoldSurface.h"
 
+#include "DisjointSets.h"
 #include "MeshEdges.h"
 #include "MeshQuality.h"
 #include "SurfaceMeasures.h"
@@ -29,35 +30,13 @@ int End(const Triangles& F, int h)
   return F(h / 3, HalfEdgeEnd(h % 3));
 }
 
-/// Things that hang together.
-class Groups
+/// Each number a set of its own.
+std::vector<int> Singles(Eigen::Index count)
 {
-public:
-  explicit Groups(Eigen::Index count)
-    : Next(count)
-  {
-    std::iota(this->Next.begin(), this->Next.end(), 0);
-  }
-  void Join(int a, int b)
-  {
-    a = this->First(a);
-    b = this->First(b);
-    this->Next[std::max(a, b)] = std::min(a, b);
-  }
-  /// The first one of the group.
-  int First(int i)
-  {
-    while (this->Next[i] != i)
-    {
-      this->Next[i] = this->Next[this->Next[i]];
-      i = this->Next[i];
-    }
-    return i;
-  }
-
-private:
-  std::vector<int> Next;
-};
+  std::vector<int> parents(count);
+  std::iota(parents.begin(), parents.end(), 0);
+  return parents;
+}
 
 /// A triangle at an edge from u to v.
 struct Leaf
@@ -74,31 +53,32 @@ Eigen::VectorXd PatchAreas(
 {
   const Eigen::VectorXd areas = TriangleAreas(mesh.P, mesh.F);
   const double whole = areas.sum();
-  Groups patches(mesh.F.rows());
+  std::vector<int> patches = Singles(mesh.F.rows()); // of triangles
   for (int h = 0; h < static_cast<int>(opposite.size()); ++h)
   {
     if (opposite[h] > h)
     {
-      patches.Join(h / 3, opposite[h] / 3);
+      JoinSets(patches, h / 3, opposite[h] / 3);
     }
   }
   Eigen::VectorXd ofPatch = Eigen::VectorXd::Zero(mesh.F.rows());
   for (int f = 0; f < static_cast<int>(mesh.F.rows()); ++f)
   {
-    ofPatch(patches.First(f)) += areas(f);
+    ofPatch(RootOf(patches, f)) += areas(f);
   }
   for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
   {
     if (edges.GetValence(e) == 1)
     {
-      double& area = ofPatch(patches.First(edges.GetHalfEdges()[edges.GetOffset()[e]] / 3));
+      const int f = edges.GetHalfEdges()[edges.GetOffset()[e]] / 3;
+      double& area = ofPatch(RootOf(patches, f));
       area = area > 0.0 ? area - whole : area;
     }
   }
   Eigen::VectorXd sizes(mesh.F.rows());
   for (int f = 0; f < static_cast<int>(mesh.F.rows()); ++f)
   {
-    sizes(f) = ofPatch(patches.First(f));
+    sizes(f) = ofPatch(RootOf(patches, f));
   }
   return sizes;
 }
@@ -200,14 +180,14 @@ std::vector<int> OppositesOf(const TriangleMesh& mesh)
 /// @return of each new point the one that it was
 std::vector<int> SplitFans(Triangles& F, int n, const std::vector<int>& opposite)
 {
-  Groups fans(F.size()); // of corners
+  std::vector<int> fans = Singles(F.size()); // of corners
   for (int h = 0; h < static_cast<int>(opposite.size()); ++h)
   {
     const int g = opposite[h];
     if (g > h)
     {
-      fans.Join(3 * (h / 3) + HalfEdgeStart(h % 3), 3 * (g / 3) + HalfEdgeEnd(g % 3));
-      fans.Join(3 * (h / 3) + HalfEdgeEnd(h % 3), 3 * (g / 3) + HalfEdgeStart(g % 3));
+      JoinSets(fans, 3 * (h / 3) + HalfEdgeStart(h % 3), 3 * (g / 3) + HalfEdgeEnd(g % 3));
+      JoinSets(fans, 3 * (h / 3) + HalfEdgeEnd(h % 3), 3 * (g / 3) + HalfEdgeStart(g % 3));
     }
   }
   std::vector<int> sources;
@@ -216,7 +196,7 @@ std::vector<int> SplitFans(Triangles& F, int n, const std::vector<int>& opposite
   for (int corner = 0; corner < static_cast<int>(F.size()); ++corner)
   {
     const int i = F(corner / 3, corner % 3);
-    int& point = pointOf[fans.First(corner)];
+    int& point = pointOf[RootOf(fans, corner)];
     if (point < 0)
     {
       point = taken[i] ? n + static_cast<int>(sources.size()) : i;
