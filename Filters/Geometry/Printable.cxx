@@ -61,7 +61,18 @@ Triangles Joined(const TriangleMesh& mesh)
     const bool isSame = k > 0 && position(order[k]) == position(order[k - 1]);
     first[order[k]] = isSame ? first[order[k - 1]] : order[k];
   }
-  return mesh.F.unaryExpr([&first](int i) { return first[i]; });
+  Triangles joined = mesh.F.unaryExpr([&first](int i) { return first[i]; });
+  Eigen::Index kept = 0; // a triangle whose points lie at one place has no area
+  for (Eigen::Index f = 0; f < joined.rows(); ++f)
+  {
+    const Eigen::RowVector3i t = joined.row(f);
+    if (t(0) != t(1) && t(1) != t(2) && t(2) != t(0))
+    {
+      joined.row(kept++) = t;
+    }
+  }
+  joined.conservativeResize(kept, 3);
+  return joined;
 }
 
 int CountIntersecting(const TriangleMesh& mesh)

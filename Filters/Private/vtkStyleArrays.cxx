@@ -61,9 +61,12 @@ void Read(vtkAlgorithm* self, const vtkSurfaceMesh& surface, vtkPolyData* model,
   {
     const SphericalStyle::Points ofParts = Conversion::GatherPointArray(
       self->GetInputArrayInformation(NORMAL_BLEND), model, surface, BlendOfParts);
-    const auto weight = ofParts.col(1).array();
-    o.normalBlends = weight * ofParts.col(0).array() + (1.0 - weight) * o.normalBlend;
-    o.blendsOfParts = o.normalBlends.size() > 0;
+    if (ofParts.rows() > 0)
+    {
+      const auto weight = ofParts.col(1).array();
+      o.normalBlends = weight * ofParts.col(0).array() + (1.0 - weight) * o.normalBlend;
+      o.blendsOfParts = true;
+    }
   }
   o.targets = gather(TARGET_DIRECTIONS);
   const bool useNormals =
