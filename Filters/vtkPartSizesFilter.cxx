@@ -518,6 +518,11 @@ vtkDataArray* vtkPartSizesFilter::FindParts(vtkPolyData* input, const vtkSurface
   vtkDataArray* ids = finder->GetOutput()->GetPointData()->GetArray("PartId");
   if (!ids)
   {
+    if (!Aborted(this))
+    {
+      throw std::runtime_error("Part id: the search for parts has failed, see the message before "
+                               "this one; choose an array of points as PartArray");
+    }
     return nullptr;
   }
   this->Found = std::make_unique<FoundParts>(FoundParts{ surface.Mesh, surface.MeshPoint, ids });
