@@ -186,16 +186,6 @@ void DropUnused(DerivedSurface& surface)
   surface.mesh.F = surface.mesh.F.unaryExpr([&](int i) { return number[i]; }).eval();
 }
 
-Triangles AsMatrix(const std::vector<std::array<int, 3>>& triangles)
-{
-  Triangles F(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (std::size_t f = 0; f < triangles.size(); ++f)
-  {
-    F.row(static_cast<Eigen::Index>(f)) = Eigen::Map<const Eigen::RowVector3i>(triangles[f].data());
-  }
-  return F;
-}
-
 /// A surface while it is cut.
 class FlatCut
 {
@@ -217,7 +207,7 @@ public:
   DerivedSurface Take()
   {
     this->Made.triangles.resize(this->Kept.size(), -1);
-    this->Made.mesh = { this->P, AsMatrix(this->Kept) };
+    this->Made.mesh = { this->P, ToTriangles(this->Kept) };
     return std::move(this->Made);
   }
 
@@ -263,12 +253,7 @@ void FlatCut::KeepAbove()
   {
     this->KeepAbove(f);
   }
-  const Eigen::Index n = this->P.rows();
-  this->P.conservativeResize(n + static_cast<Eigen::Index>(this->Added.size()), 3);
-  for (std::size_t k = 0; k < this->Added.size(); ++k)
-  {
-    this->P.row(n + static_cast<Eigen::Index>(k)) = this->Added[k];
-  }
+  AppendPoints(this->P, this->Added);
 }
 
 void FlatCut::KeepAbove(Eigen::Index f)
@@ -299,7 +284,7 @@ void FlatCut::KeepAbove(Eigen::Index f)
 /// The other way round than in the triangles that are kept.
 FlatCut::Edges FlatCut::Borders() const
 {
-  const Triangles F = AsMatrix(this->Kept);
+  const Triangles F = ToTriangles(this->Kept);
   const MeshEdges edges(F);
   Edges borders;
   for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
@@ -307,7 +292,7 @@ FlatCut::Edges FlatCut::Borders() const
     if (edges.GetValence(e) == 1)
     {
       const int h = edges.GetHalfEdges()[edges.GetOffset()[e]];
-      borders.push_back({ F(h / 3, HalfEdgeEnd(h % 3)), F(h / 3, HalfEdgeStart(h % 3)) });
+      borders.push_back({ EndPoint(F, h), StartPoint(F, h) });
     }
   }
   return borders;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -20,16 +21,6 @@ namespace SphericalStyle
 {
 namespace
 {
-int Start(const Triangles& F, int h)
-{
-  return F(h / 3, HalfEdgeStart(h % 3));
-}
-
-int End(const Triangles& F, int h)
-{
-  return F(h / 3, HalfEdgeEnd(h % 3));
-}
-
 /// Each number a set of its own.
 std::vector<int> Singles(Eigen::Index count)
 {
@@ -88,8 +79,8 @@ std::vector<Leaf> LeavesOf(const TriangleMesh& mesh, const MeshEdges& edges, int
 {
   const auto begin = edges.GetHalfEdges().begin();
   const std::vector<int> sides(begin + edges.GetOffset()[e], begin + edges.GetOffset()[e + 1]);
-  const int u = std::min(Start(mesh.F, sides[0]), End(mesh.F, sides[0]));
-  const int v = std::max(Start(mesh.F, sides[0]), End(mesh.F, sides[0]));
+  const int u = std::min(StartPoint(mesh.F, sides[0]), EndPoint(mesh.F, sides[0]));
+  const int v = std::max(StartPoint(mesh.F, sides[0]), EndPoint(mesh.F, sides[0]));
   const Eigen::Vector3d axis = (mesh.P.row(v) - mesh.P.row(u)).stableNormalized();
   const Eigen::Vector3d x = axis.unitOrthogonal();
   const Eigen::Vector3d y = axis.cross(x);
@@ -97,7 +88,7 @@ std::vector<Leaf> LeavesOf(const TriangleMesh& mesh, const MeshEdges& edges, int
   for (const int h : sides)
   {
     const Eigen::Vector3d a = mesh.P.row(mesh.F(h / 3, h % 3)) - mesh.P.row(u);
-    leaves.push_back({ std::atan2(a.dot(y), a.dot(x)), Start(mesh.F, h) == u, h });
+    leaves.push_back({ std::atan2(a.dot(y), a.dot(x)), StartPoint(mesh.F, h) == u, h });
   }
   std::sort(leaves.begin(), leaves.end(),
     [](const Leaf& a, const Leaf& b)
@@ -155,6 +146,7 @@ std::vector<int> OppositesOf(const TriangleMesh& mesh)
 {
   const MeshEdges edges(mesh.F);
   std::vector<int> opposite(mesh.F.size(), -1);
+  std::vector<int> many; // edges of three or more
   for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
   {
     const int* sides = edges.GetHalfEdges().data() + edges.GetOffset()[e];
@@ -163,16 +155,21 @@ std::vector<int> OppositesOf(const TriangleMesh& mesh)
       opposite[sides[0]] = sides[1];
       opposite[sides[1]] = sides[0];
     }
+    else if (edges.GetValence(e) > 2)
+    {
+      many.push_back(e);
+    }
+  }
+  if (many.empty())
+  {
+    return opposite;
   }
   const Eigen::VectorXd patchAreas = PatchAreas(mesh, edges, opposite);
-  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
+  for (const int e : many)
   {
-    if (edges.GetValence(e) > 2)
-    {
-      std::vector<Leaf> leaves = LeavesOf(mesh, edges, e);
-      Balance(patchAreas, leaves);
-      PairLeaves(leaves, opposite);
-    }
+    std::vector<Leaf> leaves = LeavesOf(mesh, edges, e);
+    Balance(patchAreas, leaves);
+    PairLeaves(leaves, opposite);
   }
   return opposite;
 }
@@ -211,6 +208,26 @@ std::vector<int> SplitFans(Triangles& F, int n, const std::vector<int>& opposite
   return sources;
 }
 
+/// Of edges whose ends stay together, a half-edge of each two that belong together or of one that
+/// is left over.
+std::vector<int> EdgesThatCannotOpen(const Triangles& F, const std::vector<int>& opposite)
+{
+  const MeshEdges edges(F);
+  std::vector<int> split;
+  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
+  {
+    const int* sides = edges.GetHalfEdges().data() + edges.GetOffset()[e];
+    const int valence = edges.GetValence(e);
+    const bool isGood = valence == 1 || (valence == 2 && opposite[sides[0]] == sides[1]);
+    if (!isGood)
+    {
+      std::copy_if(sides, sides + valence, std::back_inserter(split),
+        [&opposite](int h) { return opposite[h] < h; });
+    }
+  }
+  return split;
+}
+
 /// Splits edges in the middle, one after the other.
 class EdgeSplitter
 {
@@ -233,8 +250,8 @@ public:
   void Split(int h, int other)
   {
     const Triangles& F = this->Surface.mesh.F;
-    const int u = Start(F, h);
-    const int v = End(F, h);
+    const int u = StartPoint(F, h);
+    const int v = EndPoint(F, h);
     const int middle = static_cast<int>(this->Surface.ends.size());
     // Of the mesh that this one is derived from; of ends that lie between two points, the first.
     this->Surface.ends.push_back({ this->Surface.ends[u][0], this->Surface.ends[v][0] });
@@ -249,19 +266,8 @@ public:
 
   void Finish()
   {
-    TriangleMesh& mesh = this->Surface.mesh;
-    const Eigen::Index n = mesh.P.rows();
-    mesh.P.conservativeResize(n + static_cast<Eigen::Index>(this->Added.size()), 3);
-    for (std::size_t k = 0; k < this->Added.size(); ++k)
-    {
-      mesh.P.row(n + static_cast<Eigen::Index>(k)) = this->Added[k];
-    }
-    mesh.F.resize(static_cast<Eigen::Index>(this->Corners.size()), 3);
-    for (std::size_t f = 0; f < this->Corners.size(); ++f)
-    {
-      mesh.F.row(static_cast<Eigen::Index>(f)) =
-        Eigen::Map<const Eigen::RowVector3i>(this->Corners[f].data());
-    }
+    AppendPoints(this->Surface.mesh.P, this->Added);
+    this->Surface.mesh.F = ToTriangles(this->Corners);
   }
 
 private:
@@ -314,7 +320,7 @@ OpenEdges FindOpenEdges(const Triangles& F)
   OpenEdges open;
   for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
   {
-    const int point = Start(F, edges.GetHalfEdges()[edges.GetOffset()[e]]);
+    const int point = StartPoint(F, edges.GetHalfEdges()[edges.GetOffset()[e]]);
     const auto count = [point](int& number, int& first)
     {
       ++number;
@@ -343,32 +349,22 @@ void MakeManifold(DerivedSurface& surface)
   const std::vector<int> opposite = OppositesOf(mesh);
   const auto n = static_cast<int>(mesh.P.rows());
   const std::vector<int> sources = SplitFans(mesh.F, n, opposite);
-  mesh.P.conservativeResize(n + static_cast<Eigen::Index>(sources.size()), 3);
-  for (std::size_t k = 0; k < sources.size(); ++k)
+  std::vector<Eigen::RowVector3d> places;
+  for (const int source : sources)
   {
-    mesh.P.row(n + static_cast<Eigen::Index>(k)) = mesh.P.row(sources[k]).eval();
-    surface.ends.push_back(surface.ends[sources[k]]);
-    surface.shares.push_back(surface.shares[sources[k]]);
+    places.emplace_back(mesh.P.row(source));
+    surface.ends.push_back(surface.ends[source]);
+    surface.shares.push_back(surface.shares[source]);
   }
-  const MeshEdges edges(mesh.F);
-  EdgeSplitter splitter(surface);
-  bool splits = false;
-  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
+  AppendPoints(mesh.P, places);
+  const std::vector<int> split = EdgesThatCannotOpen(mesh.F, opposite);
+  if (!split.empty())
   {
-    const int* sides = edges.GetHalfEdges().data() + edges.GetOffset()[e];
-    const int valence = edges.GetValence(e);
-    const bool isGood = valence == 1 || (valence == 2 && opposite[sides[0]] == sides[1]);
-    for (int i = 0; !isGood && i < valence; ++i)
+    EdgeSplitter splitter(surface);
+    for (const int h : split)
     {
-      if (opposite[sides[i]] < sides[i]) // once for two that belong together
-      {
-        splitter.Split(sides[i], opposite[sides[i]]);
-        splits = true;
-      }
+      splitter.Split(h, opposite[h]);
     }
-  }
-  if (splits)
-  {
     splitter.Finish();
   }
 }

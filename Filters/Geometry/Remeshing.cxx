@@ -88,22 +88,13 @@ bool SplitOnce(TriangleMesh& mesh, double edgeLength)
   {
     cuts.push_back({ middle(t[1], t[2]), middle(t[2], t[0]), middle(t[0], t[1]) });
   }
-  const Eigen::Index before = mesh.P.rows();
-  mesh.P.conservativeResize(before + static_cast<Eigen::Index>(added.size()), 3);
-  for (std::size_t i = 0; i < added.size(); ++i)
-  {
-    mesh.P.row(before + static_cast<Eigen::Index>(i)) = added[i];
-  }
+  AppendPoints(mesh.P, added);
   std::vector<ThreeCorners> parts;
   for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
   {
     Cut(mesh.P, { mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2) }, cuts[f], parts);
   }
-  mesh.F.resize(static_cast<Eigen::Index>(parts.size()), 3);
-  for (std::size_t f = 0; f < parts.size(); ++f)
-  {
-    mesh.F.row(static_cast<Eigen::Index>(f)) << parts[f][0], parts[f][1], parts[f][2];
-  }
+  mesh.F = ToTriangles(parts);
   return !added.empty();
 }
 
@@ -155,27 +146,14 @@ public:
         this->CutEdge(t[k], t[(k + 1) % 3], edgeLength);
       }
     }
-    this->P.conservativeResize(mesh.P.rows() + static_cast<Eigen::Index>(this->Added.size()), 3);
-    for (std::size_t i = 0; i < this->Added.size(); ++i)
-    {
-      this->P.row(mesh.P.rows() + static_cast<Eigen::Index>(i)) = this->Added[i];
-    }
+    AppendPoints(this->P, this->Added);
     for (const auto& t : mesh.F.rowwise())
     {
       this->CutTriangle({ t[0], t[1], t[2] });
     }
   }
 
-  TriangleMesh GetMesh() const
-  {
-    TriangleMesh mesh{ this->P, Triangles(static_cast<Eigen::Index>(this->Parts.size()), 3) };
-    for (std::size_t f = 0; f < this->Parts.size(); ++f)
-    {
-      mesh.F.row(static_cast<Eigen::Index>(f)) << this->Parts[f][0], this->Parts[f][1],
-        this->Parts[f][2];
-    }
-    return mesh;
-  }
+  TriangleMesh GetMesh() const { return { this->P, ToTriangles(this->Parts) }; }
 
   /// The points of an edge.
   Chain Side(int u, int v) const

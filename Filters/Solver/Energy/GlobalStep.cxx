@@ -35,8 +35,8 @@ void GlobalStep::BuildMatrix()
   const std::vector<int>& rows = this->Matrix.GetRows();
   for (int h = 0; h < static_cast<int>(F.size()); ++h)
   {
-    const int u = F(h / 3, HalfEdgeStart(h % 3));
-    const int v = F(h / 3, HalfEdgeEnd(h % 3));
+    const int u = StartPoint(F, h);
+    const int v = EndPoint(F, h);
     if (rows[u] >= 0 && rows[v] < 0)
     {
       this->Borders.push_back({ rows[u], v, h });

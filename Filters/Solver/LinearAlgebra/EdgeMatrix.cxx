@@ -23,10 +23,8 @@ std::vector<Entry> SortEntries(
   const Triangles& F, const std::vector<int>& rows, std::vector<int>& offset)
 {
   const int halfEdges = static_cast<int>(F.size());
-  const auto ends = [&](int h)
-  {
-    return std::minmax(
-      { rows[F(h / 3, HalfEdgeStart(h % 3))], rows[F(h / 3, HalfEdgeEnd(h % 3))] });
+  const auto ends = [&](int h) {
+    return std::minmax({ rows[StartPoint(F, h)], rows[EndPoint(F, h)] });
   };
   const auto below = [&](int h) { return ends(h).first >= 0 && ends(h).first != ends(h).second; };
   for (int h = 0; h < halfEdges; ++h)

@@ -12,16 +12,6 @@ namespace SphericalStyle
 {
 namespace
 {
-int StartPoint(const Triangles& F, int h)
-{
-  return F(h / 3, HalfEdgeStart(h % 3));
-}
-
-int EndPoint(const Triangles& F, int h)
-{
-  return F(h / 3, HalfEdgeEnd(h % 3));
-}
-
 Eigen::Vector3d UnitNormal(const Points& P, const Triangles& F, Eigen::Index f)
 {
   const Eigen::Vector3d a = P.row(F(f, 1)) - P.row(F(f, 0));

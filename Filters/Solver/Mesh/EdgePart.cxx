@@ -33,7 +33,7 @@ EdgePart::EdgePart(const Triangles& F, const MeshEdges& edges, const SurfacePart
   for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
   {
     const int h = edges.GetHalfEdges()[edges.GetOffset()[e]];
-    const auto ends = std::minmax({ F(h / 3, HalfEdgeStart(h % 3)), F(h / 3, HalfEdgeEnd(h % 3)) });
+    const auto ends = std::minmax({ StartPoint(F, h), EndPoint(F, h) });
     const int u = numberOf[ends.first];
     const int v = numberOf[ends.second];
     if (u >= 0 && v >= 0)

@@ -95,8 +95,8 @@ Gluing::Gluing(const Points& P, const Triangles& F, const HalfEdgeScalars& cotan
   for (int e = 0; e < numberOfEdges; ++e)
   {
     const int* h = edges.GetHalfEdges().data() + offset[e];
-    const auto start = [&](int i) { return F(h[i] / 3, HalfEdgeStart(h[i] % 3)); };
-    const int end = F(h[0] / 3, HalfEdgeEnd(h[0] % 3));
+    const auto start = [&](int i) { return StartPoint(F, h[i]); };
+    const int end = EndPoint(F, h[0]);
     this->HalfEdges[e] = h[0];
     this->SquaredLengths[e] = (P.row(start(0)) - P.row(end)).squaredNorm();
     for (int i = 0; i < edges.GetValence(e); ++i)

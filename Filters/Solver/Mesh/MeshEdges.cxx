@@ -30,8 +30,8 @@ std::vector<int> CountingSort(const std::vector<int>& halfEdges, int n, const Ke
 
 MeshEdges::MeshEdges(const Triangles& F)
 {
-  const auto start = [&F](int h) { return F(h / 3, HalfEdgeStart(h % 3)); };
-  const auto end = [&F](int h) { return F(h / 3, HalfEdgeEnd(h % 3)); };
+  const auto start = [&F](int h) { return StartPoint(F, h); };
+  const auto end = [&F](int h) { return EndPoint(F, h); };
   const auto smaller = [&](int h) { return std::min(start(h), end(h)); };
   const auto larger = [&](int h) { return std::max(start(h), end(h)); };
   const int n = F.size() > 0 ? F.maxCoeff() + 1 : 0;

@@ -34,8 +34,8 @@ std::vector<SharedHalfEdge> SharedHalfEdges(const Triangles& F, const SurfacePar
   }
   for (int h = 0; !part.shared.empty() && h < static_cast<int>(F.size()); ++h)
   {
-    const int u = numbers[F(h / 3, HalfEdgeStart(h % 3))];
-    const int v = numbers[F(h / 3, HalfEdgeEnd(h % 3))];
+    const int u = numbers[StartPoint(F, h)];
+    const int v = numbers[EndPoint(F, h)];
     if (u >= 0 && v >= 0)
     {
       edges.push_back({ { std::min(u, v), std::max(u, v) }, h / 3, u < v ? 1 : -1 });
@@ -62,7 +62,7 @@ std::vector<int> OppositeHalfEdges(const Triangles& F, const SurfacePart& part)
   {
     const int* sides = edges.GetHalfEdges().data() + edges.GetOffset()[e];
     const auto elsewhere = [&](int h)
-    { return isShared[F(h / 3, HalfEdgeStart(h % 3))] && isShared[F(h / 3, HalfEdgeEnd(h % 3))]; };
+    { return isShared[StartPoint(F, h)] && isShared[EndPoint(F, h)]; };
     if (edges.GetValence(e) == 2 && !elsewhere(sides[0]))
     {
       opposite[sides[0]] = sides[1];
@@ -77,7 +77,7 @@ std::vector<int> OppositeHalfEdges(const Triangles& F, const SurfacePart& part)
 std::vector<int> Patch(int first, const Triangles& F, const std::vector<int>& opposite,
   std::vector<int>& side, bool& oneSided)
 {
-  const auto start = [&F](int h) { return F(h / 3, HalfEdgeStart(h % 3)); };
+  const auto start = [&F](int h) { return StartPoint(F, h); };
   std::vector<int> patch = { first };
   side[first] = 1;
   for (std::size_t at = 0; at < patch.size(); ++at)

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <stdexcept>
 #include <vector>
 
@@ -52,6 +53,35 @@ inline int HalfEdgeStart(int k)
 inline int HalfEdgeEnd(int k)
 {
   return (k + 2) % 3;
+}
+/// Points u and v of half-edge h = 3 * triangle + k.
+inline int StartPoint(const Triangles& F, int h)
+{
+  return F(h / 3, HalfEdgeStart(h % 3));
+}
+inline int EndPoint(const Triangles& F, int h)
+{
+  return F(h / 3, HalfEdgeEnd(h % 3));
+}
+
+inline Triangles ToTriangles(const std::vector<std::array<int, 3>>& corners)
+{
+  Triangles F(static_cast<Eigen::Index>(corners.size()), 3);
+  for (std::size_t f = 0; f < corners.size(); ++f)
+  {
+    F.row(static_cast<Eigen::Index>(f)) << corners[f][0], corners[f][1], corners[f][2];
+  }
+  return F;
+}
+
+inline void AppendPoints(Points& P, const std::vector<Eigen::RowVector3d>& more)
+{
+  const Eigen::Index n = P.rows();
+  P.conservativeResize(n + static_cast<Eigen::Index>(more.size()), 3);
+  for (std::size_t i = 0; i < more.size(); ++i)
+  {
+    P.row(n + static_cast<Eigen::Index>(i)) = more[i];
+  }
 }
 
 /// x_u - x_v for every half-edge uv of a field x of one vector per point.
