@@ -16,13 +16,17 @@ namespace
 /// Farther toward the eye than any depth: the unit is one of 65536 steps between near and far.
 constexpr double ToTheEye = -70000.0;
 
-void SetLook(vtkProperty* property, double red, double green, double blue)
+const QColor Selected(255, 204, 51);
+
+void SetLook(vtkProperty* property, const QColor& color)
 {
   property->LightingOff();
-  property->SetColor(red, green, blue);
+  property->SetColor(color.redF(), color.greenF(), color.blueF());
   property->SetLineWidth(3.0F);
 }
 }
+
+const QColor pqAlwaysInFront::Orange(255, 64, 0);
 
 pqAlwaysInFront::pqAlwaysInFront(vtkPVXMLElement* xml, pqPropertyWidget* widget)
   : pqPropertyWidgetDecorator(xml, widget)
@@ -34,7 +38,7 @@ pqAlwaysInFront::pqAlwaysInFront(vtkPVXMLElement* xml, pqPropertyWidget* widget)
   }
 }
 
-void pqAlwaysInFront::apply(vtkSMNewWidgetRepresentationProxy* widget)
+void pqAlwaysInFront::apply(vtkSMNewWidgetRepresentationProxy* widget, const QColor& color)
 {
   vtkSMProxy* prop = widget->GetRepresentationProxy();
   auto* handle =
@@ -43,8 +47,8 @@ void pqAlwaysInFront::apply(vtkSMNewWidgetRepresentationProxy* widget)
   {
     return;
   }
-  SetLook(handle->GetProperty(), 1.0, 0.25, 0.0);
-  SetLook(handle->GetSelectedProperty(), 1.0, 0.8, 0.2);
+  SetLook(handle->GetProperty(), color);
+  SetLook(handle->GetSelectedProperty(), Selected);
   vtkNew<vtkPropCollection> actors;
   handle->GetActors(actors);
   for (int i = 0; i < actors->GetNumberOfItems(); ++i)

@@ -15,6 +15,8 @@
 
 #include "pqPropertyWidgetDecorator.h"
 
+#include <QColor>
+
 class vtkSMNewWidgetRepresentationProxy;
 
 class pqAlwaysInFront : public pqPropertyWidgetDecorator
@@ -25,7 +27,9 @@ public:
   pqAlwaysInFront(vtkPVXMLElement* xml, pqPropertyWidget* widget);
 
   /// The same for a handle that is there already.
-  static void apply(vtkSMNewWidgetRepresentationProxy* widget);
+  static void apply(vtkSMNewWidgetRepresentationProxy* widget, const QColor& color = Orange);
+
+  static const QColor Orange;
 };
 
 #endif

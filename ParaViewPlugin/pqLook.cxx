@@ -82,6 +82,13 @@ bool IsFromInside(const pqView* view, const vtkBoundingBox& box)
   return shown && box.ContainsPoint(shown->GetActiveCamera()->GetPosition());
 }
 
+/// What a display is colored by, and whether the array has the colors itself.
+QString ColorWords(vtkSMPVRepresentationProxy* display)
+{
+  return vtkSMPropertyHelper(display, "ColorArrayName").GetInputArrayNameToProcess() +
+    QString(pqColors::areMapped(display) ? "" : " itself");
+}
+
 bool HasPointArray(vtkSMSourceProxy* source, const char* name)
 {
   vtkPVDataInformation* data = source->GetDataInformation(0);
@@ -204,6 +211,13 @@ void pqLook::colorFirst(vtkSMPVRepresentationProxy* display)
   {
     pqColors::setMapped(display, false);
     display->SetScalarBarVisibility(smview, false);
+    // So the model before has the colors of the result.
+    vtkSMPVRepresentationProxy* before = this->model();
+    if (before && pqColors::areShown(before))
+    {
+      pqColors::setMapped(before, false);
+      before->SetScalarBarVisibility(smview, false);
+    }
   }
 }
 
@@ -217,7 +231,7 @@ void pqLook::colorAfterFailure()
   }
   this->FirstFailed = false;
   vtkSMViewProxy* smview = this->view()->getViewProxy();
-  auto* before = vtkSMPVRepresentationProxy::SafeDownCast(this->model());
+  vtkSMPVRepresentationProxy* before = this->model();
   if (before && !display->GetUsingScalarColoring())
   {
     SCOPED_UNDO_EXCLUDE();
@@ -284,21 +298,27 @@ vtkSMPVRepresentationProxy* pqLook::result() const
     : nullptr;
 }
 
-vtkSMProxy* pqLook::model() const
+vtkSMPVRepresentationProxy* pqLook::model() const
 {
   const vtkSMPropertyHelper input(this->proxy(), "Input");
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
   vtkSMViewProxy* smview = this->view() ? this->view()->getViewProxy() : nullptr;
-  return smview ? smview->FindRepresentation(
-                    vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()), input.GetOutputPort())
+  return smview ? vtkSMPVRepresentationProxy::SafeDownCast(
+                    smview->FindRepresentation(source, input.GetOutputPort()))
                 : nullptr;
 }
 
 QString pqLook::seen() const
 {
   QStringList words;
-  if (IsVisible(this->model()))
+  vtkSMPVRepresentationProxy* before = this->model();
+  if (IsVisible(before))
   {
     words << "model";
+    if (pqColors::areShown(before))
+    {
+      words << ColorWords(before);
+    }
   }
   vtkSMPVRepresentationProxy* display = this->result();
   if (IsVisible(display))
@@ -306,8 +326,7 @@ QString pqLook::seen() const
     words << "result";
     if (display->GetUsingScalarColoring())
     {
-      words << vtkSMPropertyHelper(display, "ColorArrayName").GetInputArrayNameToProcess() +
-          QString(pqColors::areMapped(display) ? "" : " itself") +
+      words << ColorWords(display) +
           (pqColors::countNames(display) > 0
               ? QString(" of %1 names").arg(pqColors::countNames(display))
               : QString());

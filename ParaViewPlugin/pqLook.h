@@ -85,7 +85,7 @@ private:
   void refresh();
   void updateButtons();
   vtkSMPVRepresentationProxy* result() const;
-  vtkSMProxy* model() const; ///< the same for the model
+  vtkSMPVRepresentationProxy* model() const; ///< the same for the model
 
   QPushButton* Before;
   std::vector<Color> Colors;

@@ -20,7 +20,9 @@ constexpr double Shortest = 0.1; // of the longest, as in vtkSphericalStyleFilte
 pqTargetLengths::pqTargetLengths(
   vtkSMProxy* smproxy, vtkSMPropertyGroup* /*group*/, QWidget* parentWidget)
   : pqViewHandles(smproxy, smproxy->GetProperty("TargetLengths"),
-      tr("Drag the handles in the view to change the lengths."), parentWidget)
+      tr("Drag the handles in the view to change the lengths: red along X, yellow along Y, green "
+         "along Z."),
+      parentWidget)
 {
 }
 
@@ -54,6 +56,12 @@ std::vector<pqViewHandles::Place> pqTargetLengths::places() const
     places.back()[axis] += now.Half[axis];
   }
   return places;
+}
+
+/// As of the axes in the corner of the view.
+QColor pqTargetLengths::color(std::size_t handle) const
+{
+  return std::array<Qt::GlobalColor, 3>{ Qt::red, Qt::yellow, Qt::green }[handle];
 }
 
 void pqTargetLengths::dragBegins()

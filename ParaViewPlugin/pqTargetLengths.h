@@ -27,6 +27,7 @@ public:
 
 protected:
   std::vector<Place> places() const override;
+  QColor color(std::size_t handle) const override;
   void dragBegins() override;
   void handleMoved(int handle, const Place& to) override;
 

@@ -26,7 +26,7 @@
 class pqViewHandles::Handle
 {
 public:
-  explicit Handle(pqViewHandles* owner)
+  Handle(pqViewHandles* owner, const QColor& color)
     : Owner(owner)
   {
     SCOPED_UNDO_EXCLUDE();
@@ -38,7 +38,7 @@ public:
     vtkNew<vtkSMParaViewPipelineController> controller;
     controller->InitializeProxy(this->Proxy);
     this->show(false);
-    pqAlwaysInFront::apply(this->Proxy);
+    pqAlwaysInFront::apply(this->Proxy, color);
     for (const unsigned long event : { vtkCommand::StartInteractionEvent,
            vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent })
     {
@@ -200,6 +200,11 @@ void pqViewHandles::showNumbers(const std::vector<double>& values)
   helper.Set(values.data(), static_cast<unsigned int>(values.size()));
 }
 
+QColor pqViewHandles::color(std::size_t /*handle*/) const
+{
+  return pqAlwaysInFront::Orange;
+}
+
 void pqViewHandles::refreshSoon()
 {
   this->Timer.start();
@@ -218,7 +223,7 @@ void pqViewHandles::refresh()
   while (this->Handles.size() < places.size())
   {
     changed = true;
-    this->Handles.push_back(std::make_unique<Handle>(this));
+    this->Handles.push_back(std::make_unique<Handle>(this, this->color(this->Handles.size())));
     this->Handles.back()->addTo(this->view());
   }
   for (std::size_t k = 0; k < std::min(this->Handles.size(), places.size()); ++k)

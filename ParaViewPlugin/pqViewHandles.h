@@ -13,6 +13,7 @@
 #include "pqPropertyWidget.h"
 #include "vtkSmartPointer.h"
 
+#include <QColor>
 #include <QTimer>
 
 #include <array>
@@ -56,6 +57,7 @@ protected:
   void refreshSoon();
 
   virtual std::vector<Place> places() const = 0;
+  virtual QColor color(std::size_t handle) const;
   virtual void dragBegins() {}
   virtual void handleMoved(int handle, const Place& to) = 0;
 
