@@ -150,8 +150,8 @@ namespace
 {
 /// [head] What hangs on the head alone goes along with it.
 /// @param P  in the frame @param number  of the head, or -1 @param wanted  HeadHeight
-/// @throw std::invalid_argument
-void SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
+/// @return its number, -1 where there is only one part @throw std::invalid_argument
+vtkIdType SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
   const SphericalStyle::Triangles& F, int number, int axis, double wanted, vtkResizedParts& parts)
 {
   if (parts.Count() == 1)
@@ -162,7 +162,7 @@ void SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
                                   "compare a head with; make 2 or more with NumberOfParts of "
                                   "Surface Parts, or set HeadHeight to 0");
     }
-    return;
+    return -1;
   }
   const int known = number < 0 ? -1 : parts.Find(number);
   if (known == parts.Count())
@@ -178,7 +178,7 @@ void SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
   Eigen::VectorXd& sizes = parts.Sizes.Values;
   if (wanted == 0.0)
   {
-    return;
+    return parts.Numbers[head.part];
   }
   const double factor =
     SphericalStyle::FactorForHeightRatio(sized, sizes, parts.OfPoints, head, axis, wanted);
@@ -198,6 +198,7 @@ void SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
   {
     sizes(k) *= factor;
   }
+  return parts.Numbers[head.part];
 }
 
 /// Of styles for a model that is rounded already.
@@ -381,6 +382,7 @@ int vtkPartSizesFilter::Execute(
   namespace Conversion = vtkSurfaceMeshConversion;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  this->EffectiveHead = -1;
   if (!IsSurface(this, inputVector[0]))
   {
     return 0;
@@ -421,7 +423,8 @@ int vtkPartSizesFilter::Execute(
     if (this->HeadHeight > 0.0 || !this->Sizes.Values.empty() || !this->Roundness.Values.empty() ||
       !this->NormalBlends.Values.empty())
     {
-      SizeHead(sized, P, surface.Mesh.F, this->Head, this->UpAxis, this->HeadHeight, parts);
+      this->EffectiveHead =
+        SizeHead(sized, P, surface.Mesh.F, this->Head, this->UpAxis, this->HeadHeight, parts);
     }
     shares = sized.GetShares();
     if ((parts.Sizes.Values.array() != 1.0).any()) // else to the bit
@@ -593,6 +596,7 @@ void vtkPartSizesFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BlendWidth: " << this->BlendWidth << "\n";
   os << indent << "HeadHeight: " << this->HeadHeight << "\n";
   os << indent << "Head: " << this->Head << "\n";
+  os << indent << "EffectiveHead: " << this->EffectiveHead << "\n";
   os << indent << "KeepOnGround: " << OnOff(this->KeepOnGround) << "\n";
   os << indent << "UpAxis: " << this->UpAxis << "\n";
 }

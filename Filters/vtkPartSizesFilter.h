@@ -171,6 +171,12 @@ public:
   void SetUpAxisToZ() { this->SetUpAxis(Z_AXIS); }
   ///@}
 
+  /**
+   * The head of the last execution, by its number in the array. -1 where there was only one part,
+   * or no row and no HeadHeight asked for it, and where the execution failed.
+   */
+  vtkGetMacro(EffectiveHead, vtkIdType);
+
 protected:
   vtkPartSizesFilter();
   ~vtkPartSizesFilter() override;
@@ -209,6 +215,7 @@ private:
   double BlendWidth = 0.05;
   double HeadHeight = 0.0;
   int Head = -1;
+  vtkIdType EffectiveHead = -1;
   bool KeepOnGround = false;
   int UpAxis = Y_AXIS;
 

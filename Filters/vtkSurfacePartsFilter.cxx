@@ -284,6 +284,7 @@ int vtkSurfacePartsFilter::Execute(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
+  this->EffectiveNumberOfParts = 0;
   if (!IsSurface(this, inputVector[0]))
   {
     return 0;
@@ -323,6 +324,7 @@ int vtkSurfacePartsFilter::Execute(
   AddPartIds(output->GetCellData(), found.OfCells);
   output->GetCellData()->SetActiveScalars("PartId"); // so that Apply shows the parts
   MakeTable(table, parts);
+  this->EffectiveNumberOfParts = static_cast<int>(parts.size());
   return 1;
 }
 
@@ -391,4 +393,5 @@ void vtkSurfacePartsFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "NumberOfParts: " << this->NumberOfParts << "\n";
+  os << indent << "EffectiveNumberOfParts: " << this->EffectiveNumberOfParts << "\n";
 }

@@ -87,6 +87,11 @@ public:
   vtkGetMacro(NumberOfParts, int);
   ///@}
 
+  /**
+   * How many parts the last execution found. 0 where it failed or was stopped.
+   */
+  vtkGetMacro(EffectiveNumberOfParts, int);
+
 protected:
   vtkSurfacePartsFilter();
   ~vtkSurfacePartsFilter() override = default;
@@ -107,6 +112,7 @@ private:
 
   int Method = SHAPE;
   int NumberOfParts = 0;
+  int EffectiveNumberOfParts = 0;
 };
 
 #endif

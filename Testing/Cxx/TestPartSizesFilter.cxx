@@ -209,8 +209,11 @@ void GoingAlong(Checker& check)
       1e-12, "sizes");
     check(sizes.Errors.empty() && sizes.Warnings.empty(), "there should be no message");
   };
+  expect("no row, which needs no head", 1.0, 1.0, 1.0);
+  check(sizes->GetEffectiveHead() == -1, "there should be no head");
   sizes->SetPartSize(HeadPart, 1.6);
   expect("an ear goes along with the head", 1.6, 1.0, 1.6);
+  check(sizes->GetEffectiveHead() == HeadPart, "the head should be known");
   check.AtMost(std::abs(Height(sizes.Output(), Ear, 0) - 0.5 * 1.6), 0.02, "width of the ear");
   sizes->SetPartSize(Ear, 1.0);
   expect("an ear with a size", 1.6, 1.0, 1.0);
@@ -220,6 +223,7 @@ void GoingAlong(Checker& check)
   expect("a body takes nothing along", 1.0, 0.5, 1.0);
   sizes->SetHead(Body);
   expect("a head that is told, on which nothing hangs", 1.0, 0.5, 1.0);
+  check(sizes->GetEffectiveHead() == Body, "the head should be what is told");
   sizes->SetHead(HeadPart);
   sizes->RemoveAllPartSizes();
   sizes->SetPartSize(Ear, 2.0);
@@ -286,6 +290,7 @@ void Refused(Checker& check)
     check(sizes.Errors.size() == 1 && Contains(sizes.Errors[0], words),
       "one error should say \"" + words + "\"" + Joined(sizes.Errors));
     check(sizes.Output()->GetNumberOfPoints() == 0, "nothing should come out");
+    check(sizes->GetEffectiveHead() == -1, "there should be no head");
     sizes.Errors.clear();
     mend(sizes.Get());
     check(

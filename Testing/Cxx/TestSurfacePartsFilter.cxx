@@ -130,11 +130,13 @@ void ByShape(Checker& check)
 
   check.About("a wanted number");
   parts->SetNumberOfParts(1);
-  check(parts.Count() == 1 && parts.Warnings.empty(), "there should be one part");
+  check(parts.Count() == 1 && parts->GetEffectiveNumberOfParts() == 1 && parts.Warnings.empty(),
+    "there should be one part");
   const Surface apart = Together({ Ball(1.0, 0.0), Ball(1.0, 9.0) });
   Parts loose(apart);
   loose->SetNumberOfParts(1);
-  check(loose.Count() == 2 && loose.Warnings.size() == 1 &&
+  check(loose.Count() == 2 && loose->GetEffectiveNumberOfParts() == 2 &&
+      loose.Warnings.size() == 1 &&
       Contains(loose.Warnings[0], "NumberOfParts is 1, and there are 2"),
     "a warning should say that two are loose" + Joined(loose.Warnings));
   Parts many(apart);
