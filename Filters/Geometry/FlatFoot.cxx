@@ -343,7 +343,7 @@ double SectionArea(const TriangleMesh& mesh, int axis, double level)
       {
         const double share = (level - mesh.P(u, axis)) / (mesh.P(v, axis) - mesh.P(u, axis));
         const Eigen::RowVector3d p = mesh.P.row(u) - O + share * (mesh.P.row(v) - mesh.P.row(u));
-        (up ? from : to) = { p(x), p(y) };
+        (up ? from : to) = Eigen::Vector2d(p(x), p(y));
         crosses = true;
       }
     }
