@@ -84,11 +84,12 @@ minutes()
   printf '%d min %d s' "$((SECONDS / 60))" "$((SECONDS % 60))"
 }
 
-# take_test_options OPTIONS... : -h prints the script's usage, -v sets VERBOSE, all others go to ctest.
+# take_test_options OPTIONS... : -h prints the script's usage, -v sets VERBOSE, all others go to ctest. Without any,
+# tests of the label Long are left out.
 take_test_options()
 {
   ctest_options=()
-  local option
+  local option all=
   for option in "$@"; do
     case $option in
       -h | --help)
@@ -96,9 +97,13 @@ take_test_options()
         exit 0
         ;;
       -v) VERBOSE=1 ;;
+      --all) all=1 ;;
       *) ctest_options+=("$option") ;;
     esac
   done
+  if [ -z "$all" ] && [ ${#ctest_options[@]} -eq 0 ]; then
+    ctest_options=(-LE Long)
+  fi
 }
 
 # Runs the tests as the last step of a script, and prints a summary.

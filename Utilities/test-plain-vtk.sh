@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# usage: Utilities/test-plain-vtk.sh [-v] [OPTIONS OF ctest]
+# usage: Utilities/test-plain-vtk.sh [-v] [--all] [OPTIONS OF ctest]
 #
 # Builds with Debian's plain VTK (9.1 in Debian 12, 9.3 in 13, 9.6 in testing) instead of ParaView and runs the tests, in
 # build-plain-vtk/. In Debian 12 and 13 the script only unpacks VTK's packages there, since they cannot be installed

@@ -2,12 +2,13 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# usage: Utilities/test-system.sh debian:12|debian:13|debian:testing [plain|packages] [-v] [OPTIONS OF ctest]
+# usage: Utilities/test-system.sh debian:12|debian:13|debian:testing [plain|packages] [-v] [--all] [OPTIONS OF ctest]
 #
 # Makes a fresh Debian system in build-system/, copies the project there, and runs the two commands of README.md, so
 # setup.sh, demo.sh and test.sh, as a user without rights. The tests have no network.
 #   plain      runs Utilities/test-plain-vtk.sh instead
 #   packages   runs Utilities/test-packages.sh instead, which makes a second system of the same release in the first
+#   --all      runs long tests, too, as before a release
 # The copy has the files that git knows or does not ignore, as they are now, and sees the real models in ../shared if
 # that folder exists. Needs root, 10 GB of disk space and the Debian archive (DEBIAN_MIRROR=URL chooses another
 # mirror, see debian-root.sh).
@@ -36,6 +37,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/debian-root.sh"
 
 take_test_options "$@"
+test_options=("$@")
 need_root
 root=$build/root
 folder=/home/user/SphericalStyle
@@ -90,13 +92,13 @@ case $kind in
   paraview)
     step "Installing packages" setup.log install
     step "Running demo.sh" demo.log in_copy Utilities/demo.sh
-    step "Running test.sh" test.log in_copy Utilities/test.sh "${ctest_options[@]}"
+    step "Running test.sh" test.log in_copy Utilities/test.sh "${test_options[@]}"
     print_results test.log
     ;;
   plain)
     step "Installing packages" setup.log install --plain-vtk
     step "Building with plain VTK" build.log as_user "$folder" SKIP_SETUP=1 Utilities/test-plain-vtk.sh --show-only
-    step "Running test-plain-vtk.sh" test.log in_copy Utilities/test-plain-vtk.sh "${ctest_options[@]}"
+    step "Running test-plain-vtk.sh" test.log in_copy Utilities/test-plain-vtk.sh "${test_options[@]}"
     print_results test.log
     ;;
   packages)
