@@ -188,6 +188,21 @@ class Run:
         self.output = self.filter.GetOutputDataObject(0)
 
 
+class AloneRun:
+    """The same in the first process, as if there were no other, whose output all of them get. The others have no
+    filter."""
+
+    def __init__(self, Filter, data, **options):
+        if RANK == 0:
+            run = Run(Filter, data, alone=True, **options)
+            self.errors, self.warnings, self.told, self.filter = run.errors, run.warnings, run.told, run.filter
+            self.output = run.output
+        else:
+            self.errors, self.warnings, self.told, self.filter = [], [], [], None
+            self.output = vtkPolyData()
+        controller.Broadcast(self.output, 0)
+
+
 def names(attributes):
     return [attributes.GetArrayName(k) for k in range(attributes.GetNumberOfArrays())]
 
@@ -237,7 +252,7 @@ def check_spread(title, Filter, whole, owner, exact=False, global_ids=False, gho
     before = vtkPolyData()
     before.DeepCopy(piece.data)
     run = Run(Filter, piece.data, **options)
-    alone = Run(Filter, whole, alone=True, **options)
+    alone = AloneRun(Filter, whole, **options)
     assert not run.errors and not alone.errors
     size = coordinates(whole).max() - coordinates(whole).min()
     largest = greatest(compare(piece, run.output, alone.output) / size)
@@ -358,7 +373,7 @@ def check_parts():
              ("parts", styled, {}, None)]
     largest = 0.0
     for case, model, options, prepare in jobs:
-        alone = Run(Style, model, alone=True, prepare=prepare, **options)
+        alone = AloneRun(Style, model, prepare=prepare, **options)
         for title, (owner, kind) in pieces.items():
             if title not in ("slices", "scattered") and case not in ("volume", "flat, arrays"):
                 continue
@@ -471,9 +486,7 @@ def check_preview():
     for title, options, owner, kind in (
             ("slices", {}, slices, {}), ("boxes and ghost cells", ground, in_boxes(whole), {"ghost_levels": 1}),
             ("nothing on the first process", flat, not_first, {})):
-        alone = Run(Style, whole, alone=True, **options)
-        drag(alone.filter)
-        alone.filter.Update()
+        alone = AloneRun(Style, whole, prepare=drag, **options)
         piece = Piece(whole, owner, **kind)
         run = Run(Style, piece.data, **options)
         assert size_of_all(run) >= whole.GetNumberOfPoints()
