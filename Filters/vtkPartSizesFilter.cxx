@@ -582,17 +582,18 @@ void vtkPartSizesFilter::TakeRows(
 void vtkPartSizesFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  for (const auto& [name, rows] :
-    { std::make_pair("PartSizes", &this->Sizes), std::make_pair("PartRoundness", &this->Roundness),
-      std::make_pair("PartNormalBlend", &this->NormalBlends) })
+  const auto print = [&](const char* name, const Rows& rows)
   {
     os << indent << name << ":";
-    for (const auto& [part, value] : rows->Values)
+    for (const auto& [part, value] : rows.Values)
     {
       os << " " << part << ": " << value;
     }
     os << "\n";
-  }
+  };
+  print("PartSizes", this->Sizes);
+  print("PartRoundness", this->Roundness);
+  print("PartNormalBlend", this->NormalBlends);
   os << indent << "BlendWidth: " << this->BlendWidth << "\n";
   os << indent << "HeadHeight: " << this->HeadHeight << "\n";
   os << indent << "Head: " << this->Head << "\n";
