@@ -184,10 +184,14 @@ void TestEachAdvice()
 {
   MethodOptions options = Defaults();
   options.normalBlend = 1.0;
-  ExpectAdvice("normals as targets", Peanut(), options, "NormalBlend 0.3", " % of the triangles",
+  ExpectAdvice("normals as targets without details", Peanut(), options, "DetailSize 0.06",
+    " % of the triangles", [](MethodOptions& o) { o.detailSize = 0.06; });
+  options.detailSize = 0.06;
+  options.lambda = 5.0;
+  ExpectAdvice("normals as targets", Dumbbell(), options, "NormalBlend 0.3", " % of the triangles",
     [](MethodOptions& o) { o.normalBlend = 0.3; });
-  options.normalBlends = Eigen::VectorXd::Ones(Peanut().P.rows());
-  ExpectAdvice("normals by array", Peanut(), options, "AvoidSelfIntersections On",
+  options.normalBlends = Eigen::VectorXd::Ones(Dumbbell().P.rows());
+  ExpectAdvice("normals by array", Dumbbell(), options, "AvoidSelfIntersections On",
     " % of the triangles", [](MethodOptions& o) { o.normalBlends *= 0.0; });
 
   options = Defaults();
@@ -243,6 +247,8 @@ void TestOrder()
     const std::string given = Advise(options, surface, result, choices);
     CHECK(given == advice, "'" << advice << "' should be advised, not '" << given << "'");
   };
+  expect("DetailSize 0.06: 12 % of the triangles turned over");
+  options.detailSize = 0.06;
   expect("NormalBlend 0.3: 12 % of the triangles turned over");
   options.normalBlend = 0.3;
   expect("EdgeWeighting HalfEdge: 12 % of the triangles turned over");
@@ -276,10 +282,15 @@ void TestOrder()
   expect("NormalBlend 0.6: 46 % of the surface faces away from the center");
   result.facingAwayShare = 0.2;
   expect("");
-  // Panels that were split, of a body that is simple and has its details kept.
+  // Panels that were split, of a body that is simple and has its details kept. What was advised
+  // against is not advised where triangles turn over without it.
   choices.splitShare = 0.67;
   surface.cornerShare = 0.25;
+  options.detailSize = 0.0;
   expect("");
+  result.turnedOverShare = 0.123;
+  expect("");
+  result.turnedOverShare = 0.0;
   options.detailSize = 0.06;
   expect("DetailSize 0: 67 % of the area is flat panels, and their edges stay sharp as details");
   surface.curvature = 2.0;
