@@ -6,7 +6,6 @@ the window. A step begins when the window has done what came of the one before."
 import os
 import shutil
 import subprocess
-import sys
 import traceback
 
 import numpy
@@ -182,12 +181,10 @@ def step(interactor, _):
         next(run)
         return
     except StopIteration:
-        print("dragged", flush=True)
+        outcome = "dragged"
     except BaseException:  # also AssertionError
-        traceback.print_exc()
-        print("ERROR: see above", flush=True)
-    interactor.RemoveObserver(observer)
-    sys.stdout.flush()
+        outcome = traceback.format_exc() + "ERROR: see above"
+    os.write(1, f"{outcome}\n".encode())  # print is buffered by ParaView, and _exit drops that
     os._exit(0)
 
 
