@@ -21,9 +21,10 @@ from PIL import Image
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkCutter, vtkPolyDataNormals, vtkThreshold
+from vtkmodules.vtkFiltersCore import vtkCutter, vtkPolyDataNormals, vtkQuadricDecimation, vtkThreshold
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkFiltersModeling import vtkLoopSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper
 
@@ -177,6 +178,11 @@ a_car = model_files.read(ROOT / "Data" / "car.vtp")
 picture("how-to-car.png", (1000, 300), [[
     (a_car, "model"), (rounded(a_car), "defaults"), (preset(a_car, "Soft"), "Soft"),
     (proxied(a_car, Blend=0.5), "Convex Proxy Deform")]], 40.0, 13, ground=True)
+few = run(vtkQuadricDecimation(), model_files.read(ROOT / "Data" / "creature.vtp"), {"TargetReduction": 0.94}).GetOutput()
+fine = run(vtkLoopSubdivisionFilter(), few, {"NumberOfSubdivisions": 2}).GetOutput()
+picture("how-to-few.png", (700, 370), [[
+    (few, "model"), (preset(few, "Toy"), "Toy"),
+    (sphericalstyle.round(fine, preset="Toy", generate_normals=True), "Loop Subdivision, Toy")]], 25.0, 13, ground=True)
 picture("how-to-target.png", (1200, 300), [[(creature, "model")] + [
     (sphericalstyle.round(creature, target=target, roundness=2, normal_blend=0.2), target)
     for target in ("Sphere", "Ellipsoid", "Capsule", "Cylinder", "RoundedBox")]], 25.0, 13, ground=True)
