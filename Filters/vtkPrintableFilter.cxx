@@ -19,7 +19,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStaticPointLocator.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
@@ -136,22 +135,6 @@ Points OnPlate(const Points& P, int axis)
   return placed;
 }
 
-/// The arrays that have a tuple for each point or cell.
-template <typename Attributes>
-vtkSmartPointer<Attributes> Complete(Attributes* attributes, vtkIdType count)
-{
-  auto complete = vtkSmartPointer<Attributes>::New();
-  complete->ShallowCopy(attributes);
-  for (int i = complete->GetNumberOfArrays() - 1; i >= 0; --i)
-  {
-    if (complete->GetAbstractArray(i)->GetNumberOfTuples() < count)
-    {
-      complete->RemoveArray(i);
-    }
-  }
-  return complete;
-}
-
 void FillOutput(vtkPolyData* output, vtkPolyData* input, const ClosedInput& closed,
   const DerivedSurface& made, int type)
 {
@@ -160,9 +143,8 @@ void FillOutput(vtkPolyData* output, vtkPolyData* input, const ClosedInput& clos
   vtkNew<vtkPoints> points;
   points->SetDataType(type);
   points->SetNumberOfPoints(n);
-  const auto inputData = Complete(input->GetPointData(), input->GetNumberOfPoints());
   data->CopyNormalsOff();
-  data->InterpolateAllocate(inputData, n);
+  data->InterpolateAllocate(input->GetPointData(), n);
   for (vtkIdType i = 0; i < n; ++i)
   {
     points->SetPoint(i, made.mesh.P.row(i).data());
@@ -170,11 +152,11 @@ void FillOutput(vtkPolyData* output, vtkPolyData* input, const ClosedInput& clos
     const vtkIdType second = closed.InputPoints[made.ends[i][1]];
     if (made.shares[i] == 0.0)
     {
-      data->CopyData(inputData, first, i);
+      data->CopyData(input->GetPointData(), first, i);
     }
     else
     {
-      data->InterpolateEdge(inputData, i, first, second, made.shares[i]);
+      data->InterpolateEdge(input->GetPointData(), i, first, second, made.shares[i]);
     }
   }
   const auto m = static_cast<vtkIdType>(made.mesh.F.rows());
@@ -184,9 +166,8 @@ void FillOutput(vtkPolyData* output, vtkPolyData* input, const ClosedInput& clos
   foot->SetName("Foot");
   foot->SetNumberOfValues(m);
   vtkCellData* cells = output->GetCellData();
-  const auto inputCells = Complete(input->GetCellData(), input->GetNumberOfCells());
   cells->CopyNormalsOff();
-  cells->CopyAllocate(inputCells, m);
+  cells->CopyAllocate(input->GetCellData(), m);
   for (vtkIdType f = 0; f < m; ++f)
   {
     const vtkIdType corners[3] = { made.mesh.F(f, 0), made.mesh.F(f, 1), made.mesh.F(f, 2) };
@@ -199,7 +180,7 @@ void FillOutput(vtkPolyData* output, vtkPolyData* input, const ClosedInput& clos
     }
     else
     {
-      cells->CopyData(inputCells, cell, f);
+      cells->CopyData(input->GetCellData(), cell, f);
     }
   }
   output->SetPoints(points);
@@ -345,6 +326,7 @@ int vtkPrintableFilter::Execute(
       "Volume and Height: the model cannot be scaled to both; set one of them to 0");
   }
   const vtkSurfaceMesh surface = vtkSurfaceMeshConversion::FromPolyData(input, true);
+  vtkSurfaceMeshConversion::CheckArrays(input); // new points take values from all of them
   Warn(this, vtkSurfaceMeshConversion::FannedRemark(surface));
   Warn(this, vtkSurfaceMeshConversion::SkippedRemark(surface));
   if (surface.Mesh.F.rows() == 0)

@@ -196,6 +196,14 @@ void CheckMessages(Checker& check)
   check(both.Errors.empty() && LargestDistance(same, ball) == 0.0,
     "where nothing is asked for, points stay to the bit");
 
+  const Surface shorter = Ball();
+  shorter->GetCellData()->GetArray("Number")->SetNumberOfTuples(7);
+  Printed numbered(shorter);
+  refuses(numbered, "array \"Number\" has 7 tuples for ");
+  shorter->GetPointData()->GetArray("HeightOfPoint")->SetNumberOfTuples(9);
+  shorter->Modified();
+  refuses(numbered, "array \"HeightOfPoint\" has 9 tuples for ");
+
   // One cell is missing: its first corner, as the input numbers it, is where the hole is.
   const Surface open = Ball();
   open->BuildCells();
