@@ -188,18 +188,14 @@ class Run:
         self.output = self.filter.GetOutputDataObject(0)
 
 
-class AloneRun:
-    """The same in the first process, as if there were no other, whose output all of them get. The others have no
-    filter."""
+class AloneRun(Run):
+    """In the first process, as if there were no other. The others have no filter, and get its output."""
 
     def __init__(self, Filter, data, **options):
         if RANK == 0:
-            run = Run(Filter, data, alone=True, **options)
-            self.errors, self.warnings, self.told, self.filter = run.errors, run.warnings, run.told, run.filter
-            self.output = run.output
+            super().__init__(Filter, data, alone=True, **options)
         else:
-            self.errors, self.warnings, self.told, self.filter = [], [], [], None
-            self.output = vtkPolyData()
+            self.errors, self.output = [], vtkPolyData()
         controller.Broadcast(self.output, 0)
 
 
