@@ -17,8 +17,8 @@ namespace
 constexpr double Double = 1e-9;
 constexpr double Single = 1e-6;
 /// Of the diagonal: a grid lies along the axes, and another one is as good only. Largest at
-/// Roundness 5, .0665 where details are carried on a minimum of the energy.
-constexpr double OtherGrid = 0.07;
+/// Roundness 5, .0706 where details are carried on a minimum of the energy.
+constexpr double OtherGrid = 0.075;
 
 struct Setting
 {

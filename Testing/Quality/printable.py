@@ -29,7 +29,7 @@ HEIGHT, THICKNESS, ANGLE = 60.0, 1.0, 10.0  # mm, mm, degrees
 FOOT = 0.05  # of the rectangle of the bounds
 VOLUME_ERROR = 1e-6
 #: Points that stay thinner: where the rounded model runs through itself already, at ears, lips and folds of cloth.
-THIN = {"skull": 1, "human-parts": 253, "lucy": 589}
+THIN = {"human-parts": 477, "lucy": 1027}
 UP_AXES = {"lucy": "Z", "goblet-vase": "Z"}
 #: What admesh counts before it repairs anything, and has to be 0 of.
 DEFECTS = ("Edges fixed", "Facets removed", "Facets added", "Facets reversed", "Backwards edges", "Normals fixed",

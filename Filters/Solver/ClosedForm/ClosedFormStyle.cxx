@@ -536,7 +536,7 @@ void ClosedFormStyle::State::UpdateJoints(const ClosedFormOptions& o)
       SurfaceGrid(*this->P, *this->F, std::max(o.centerBlend, Finest), o.threads, this->Part);
     if (o.centerBlend > 0.0)
     {
-      joints.Grid.Factor({}, o.threads);
+      joints.Grid.FactorAlong(o.threads);
       joints.Shares = SmoothShares(joints.Grid, joints.Shares, *this->P, o.threads);
     }
     joints.Grid.FactorPoisson(o.threads);

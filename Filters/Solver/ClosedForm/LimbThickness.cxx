@@ -99,7 +99,7 @@ Eigen::VectorXd LimbThickness(const Points& P, const Points& B, const Triangles&
   int threads, const SurfacePart& part)
 {
   SurfaceGrid grid(P, F, LimbSize, threads, part);
-  grid.Factor({}, threads);
+  grid.FactorAlong(threads);
   const int samples = grid.GetNumberOfSamples();
   const Fields places = grid.Means(B, threads);
   Points normals = grid.AreaVectorsUnder(grid.Gradients(B, threads), threads);

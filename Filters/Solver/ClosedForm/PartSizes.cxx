@@ -130,7 +130,7 @@ PartSizes::PartSizes(const Points& p, const Triangles& F, const std::vector<int>
   , Parts(parts)
 {
   SurfaceGrid grid(p, F, width, threads);
-  grid.Factor({}, threads);
+  grid.FactorAlong(threads);
   this->Shares = SmoothShares(grid, PartShares(parts, count), p, threads);
   this->ShareNothingThroughAir(F, width);
   const Eigen::VectorXd areas = PointAreas(p, F);

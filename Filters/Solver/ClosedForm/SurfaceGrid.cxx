@@ -28,6 +28,7 @@ constexpr double LongestPart = 0.75; // of the spacing
 constexpr double LongestWhole = 1.0 / 6.0;
 constexpr double CentroidShare = 0.75; // of the area; the corners have the rest
 constexpr double Ridge = 1e-7;         // of the mean diagonal
+constexpr double Across = 0.1;         // of N, the slope across the surface
 constexpr double PoissonMass = 1e-6;   // holds the constant, which has no gradient
 constexpr int MostCutsToSearch = 4;    // of an edge: beyond, parts of a triangle are hashed
 constexpr int TrianglesOfTask = 1 << 15;
@@ -825,14 +826,13 @@ namespace
 // Entry `shift` of function g, the other function having a larger number, or g itself.
 constexpr int EntriesOfFunction = Shifts - HalfOfShifts;
 
-/// What a sample adds to the matrix. @param q  Q_k @param root  of the mass of the sample
-void AddSample(const LocalFunctions& f, const Eigen::Matrix<double, 1, 6>& q, double root,
-  double stiffness, double spacing, Block& block)
+/// What a sample adds to the matrix. @param Q  Q_k times the stiffness @param root  of the mass of
+/// the sample
+void AddSample(
+  const LocalFunctions& f, const Eigen::Matrix3d& Q, double root, double spacing, Block& block)
 {
-  Eigen::Matrix3d Q;
-  Q << q(0), q(1), q(2), q(1), q(3), q(4), q(2), q(4), q(5);
   // Q = L L^T, semidefinite: a flat piece has no say across itself.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(Q * stiffness);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(Q);
   const Eigen::Matrix3d L =
     eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
   alignas(64) double u[4 * 28] = {};
@@ -847,6 +847,51 @@ void AddSample(const LocalFunctions& f, const Eigen::Matrix<double, 1, 6>& q, do
     }
   }
   AddOuterProducts(u, block.data());
+}
+
+/// Means over a cell of products of slopes, for pairs of its functions: xx, xy + yx, xz + zx, yy,
+/// yz + zy, zz.
+std::array<Block, 6> MakeSlopeProducts()
+{
+  // Gauss' rule with three places is exact for them.
+  const double far = 0.5 * std::sqrt(0.6);
+  const double places[] = { 0.5 - far, 0.5, 0.5 + far };
+  const double weights[] = { 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0 };
+  std::array<Block, 6> products = {};
+  for (int q = 0; q < 27; ++q)
+  {
+    const double weight = weights[q % 3] * weights[q / 3 % 3] * weights[q / 9];
+    const LocalFunctions f({ places[q % 3], places[q / 3 % 3], places[q / 9] });
+    for (int a = 0; a < Near; ++a)
+    {
+      for (int b = 0; b < Near; ++b)
+      {
+        int at = 0;
+        for (int i = 0; i < 3; ++i)
+        {
+          for (int j = i; j < 3; ++j, ++at)
+          {
+            const double product = f.gradient[i][a] * f.gradient[j][b];
+            const double other = f.gradient[j][a] * f.gradient[i][b];
+            products[at][28 * a + b] += weight * (i == j ? product : product + other);
+          }
+        }
+      }
+    }
+  }
+  return products;
+}
+
+/// The slope across the surface, all over a cell. @param across  sum of nu stiffness n n^T
+void AddAcross(const Eigen::Matrix3d& across, double spacing, Block& block)
+{
+  static const std::array<Block, 6> products = MakeSlopeProducts();
+  const Eigen::Matrix3d W = across / (spacing * spacing);
+  for (std::size_t i = 0; i < block.size(); ++i)
+  {
+    block[i] += W(0, 0) * products[0][i] + W(0, 1) * products[1][i] + W(0, 2) * products[2][i] +
+      W(1, 1) * products[3][i] + W(1, 2) * products[4][i] + W(2, 2) * products[5][i];
+  }
 }
 
 /// Half of the matrix, with the ridge. @param others  the other function of each entry, or Outside
@@ -883,7 +928,7 @@ SparseCholesky::Matrix LowerMatrix(
 }
 
 SparseCholesky::Matrix SurfaceGrid::Assemble(
-  double mass, const Eigen::VectorXd& stiffness, int threads) const
+  double mass, const Eigen::VectorXd& stiffness, double across, int threads) const
 {
   const int cells = static_cast<int>(this->Functions.size()) / Near;
   std::vector<double> values(
@@ -910,10 +955,19 @@ SparseCholesky::Matrix SurfaceGrid::Assemble(
         {
           Block& block = blocks[c];
           block.fill(0.0);
+          Eigen::Matrix3d normals = Eigen::Matrix3d::Zero(); // sum of stiffness n n^T
           for (int k = this->FirstSample[begin + c]; k < this->FirstSample[begin + c + 1]; ++k)
           {
-            AddSample(LocalFunctions(this->Locals.row(k)), this->Tangents.row(k),
-              std::sqrt(mass * this->Weights(k)), stiffness(k), this->Spacing, block);
+            const auto t = this->Tangents.row(k);
+            Eigen::Matrix3d Q;
+            Q << t(0), t(1), t(2), t(1), t(3), t(4), t(2), t(4), t(5);
+            normals += stiffness(k) * (this->Weights(k) * Eigen::Matrix3d::Identity() - Q);
+            AddSample(LocalFunctions(this->Locals.row(k)), stiffness(k) * Q,
+              std::sqrt(mass * this->Weights(k)), this->Spacing, block);
+          }
+          if (across > 0.0)
+          {
+            AddAcross(across * normals, this->Spacing, block);
           }
         }
       });
@@ -1109,11 +1163,18 @@ void SurfaceGrid::AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::M
 
 void SurfaceGrid::Factor(const std::vector<GridPair>& pairs, int threads)
 {
-  SparseCholesky::Matrix A = this->Assemble(
-    1.0, Eigen::VectorXd::Constant(this->GetNumberOfSamples(), this->Size * this->Size), threads);
+  SparseCholesky::Matrix A = this->Assemble(1.0,
+    Eigen::VectorXd::Constant(this->GetNumberOfSamples(), this->Size * this->Size), Across,
+    threads);
   this->AddPairs(pairs, A);
   this->System.Analyze(A);
   this->System.Factor(A, SparseCholesky::Precision::Double, threads);
+}
+
+void SurfaceGrid::FactorAlong(int threads)
+{
+  this->FactorConduction(
+    Eigen::VectorXd::Constant(this->GetNumberOfSamples(), this->Size * this->Size), 1.0, threads);
 }
 
 void SurfaceGrid::FactorPoisson(int threads)
@@ -1123,7 +1184,7 @@ void SurfaceGrid::FactorPoisson(int threads)
 
 void SurfaceGrid::FactorConduction(const Eigen::VectorXd& conductivity, double mass, int threads)
 {
-  const SparseCholesky::Matrix A = this->Assemble(mass, conductivity, threads);
+  const SparseCholesky::Matrix A = this->Assemble(mass, conductivity, 0.0, threads);
   this->System.Analyze(A);
   this->System.Factor(A, SparseCholesky::Precision::Double, threads);
 }

@@ -44,7 +44,14 @@ struct GridPair
 ///
 /// Solve: with M = sum w_k phi phi^T and K = sum grad phi^T Q_k grad phi, both at x_k,
 ///
-///     A_s = M + s^2 K + 1e-7 mean(diag) I,      Smooth(X) = A_s^-1 sum w_k phi(x_k) X_k.
+///     A_s = M + s^2 (K + .1 N) + 1e-7 mean(diag) I,      Smooth(X) = A_s^-1 sum w_k phi(x_k) X_k,
+///     N = sum over cells of the mean in the cell of grad phi^T (sum w_k I - Q_k) grad phi.
+///
+/// N is the slope across the surface, all over a cell. On a surface alone it says next to nothing,
+/// since a field can go on straight outward; but two sheets within a cell of each other move
+/// together with it, wherever the borders of samples and cells are (normal derivative volume
+/// stabilization: Grande, Lehrenfeld, Reusken, Analysis of a high-order trace finite element method
+/// for PDEs on level set surfaces, SIAM Journal on Numerical Analysis 56(1), 2018).
 ///
 /// Sample: a field is the sum of 27 products at any place near the surface.
 ///
@@ -89,6 +96,9 @@ public:
   /// without samples does not count
   /// @throw SolverError
   void Factor(const std::vector<GridPair>& pairs, int threads);
+  /// The same without N and pairs: nothing goes from one sheet to another through the air.
+  /// @throw SolverError
+  void FactorAlong(int threads);
   /// The same for K + 1e-6 M, to integrate gradients.
   void FactorPoisson(int threads);
   /// The same for sum kappa_k grad phi^T Q_k grad phi + mass M, where the surface conducts
@@ -142,8 +152,9 @@ private:
   Place Locate(const Eigen::RowVector3d& x) const;
   const int* FunctionsAt(const Place& place) const;
   void NumberFunctions(const std::vector<int>& cells);
-  /// @param stiffness  of the samples
-  SparseCholesky::Matrix Assemble(double mass, const Eigen::VectorXd& stiffness, int threads) const;
+  /// @param stiffness  of the samples @param across  factor of N
+  SparseCholesky::Matrix Assemble(
+    double mass, const Eigen::VectorXd& stiffness, double across, int threads) const;
   std::vector<CellPair> CellPairs(const std::vector<GridPair>& pairs) const;
   std::vector<std::array<int, 3>> PlacesOfFunctions() const;
   void AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::Matrix& A) const;

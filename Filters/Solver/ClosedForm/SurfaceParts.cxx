@@ -134,7 +134,7 @@ PartFinder::PartFinder(
   , Area(Weights.sum())
 {
   const int threads = options.threads;
-  this->Grid.Factor({}, threads);
+  this->Grid.FactorAlong(threads);
   const Points B =
     this->Grid.AtPoints(this->Grid.SmoothTwice(this->Grid.GetPlaces(), threads), p, threads);
   this->MakeConductivity(B, f);

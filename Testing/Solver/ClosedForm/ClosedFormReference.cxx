@@ -147,6 +147,12 @@ Hit FirstHitOf(const Points& X, const Triangles& F, const Vector& origin, const 
   return hit;
 }
 
+/// Gauss' rule on -1..1.
+constexpr double GaussPlaces[] = { -0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
+  0.8611363115940526 };
+constexpr double GaussWeights[] = { 0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
+  0.3478548451374538 };
+
 /// Functions on the grid, all matrices full.
 class DenseGrid
 {
@@ -163,7 +169,8 @@ public:
     double weight = 0.0;
     Vector place = Vector::Zero();
     Vector areaVector = Vector::Zero();
-    Matrix3 tangents = Matrix3::Zero();
+    Matrix3 along = Matrix3::Zero();
+    Matrix3 across = Matrix3::Zero();
     Matrix3 spread = Matrix3::Zero();
   };
   struct Pair
@@ -214,7 +221,8 @@ public:
 
   int Count() const { return static_cast<int>(this->Functions.size()); }
 
-  void Factor(double mass, double stiffness, const std::vector<Pair>& pairs)
+  /// @param across  of the slope across the surface, all over the cell of a sample
+  void Factor(double mass, double stiffness, double across, const std::vector<Pair>& pairs)
   {
     const int n = this->Count();
     Matrix A = Matrix::Zero(n, n);
@@ -226,7 +234,23 @@ public:
         for (const Value& b : values)
         {
           A(a.function, b.function) += mass * sample.weight * a.phi * b.phi +
-            stiffness * a.gradient.dot(sample.tangents * b.gradient);
+            stiffness * a.gradient.dot(sample.along * b.gradient);
+        }
+      }
+      const Vector middle = (sample.place / this->Spacing).array().round() * this->Spacing;
+      for (int q = 0; q < 64 && across > 0.0; ++q) // Gauss, 4 places along each axis
+      {
+        const Vector places(GaussPlaces[q % 4], GaussPlaces[q / 4 % 4], GaussPlaces[q / 16]);
+        const double weight =
+          GaussWeights[q % 4] * GaussWeights[q / 4 % 4] * GaussWeights[q / 16] / 8.0;
+        const std::vector<Value> slopes = this->At(middle + 0.5 * this->Spacing * places);
+        for (const Value& a : slopes)
+        {
+          for (const Value& b : slopes)
+          {
+            A(a.function, b.function) +=
+              weight * across * stiffness * a.gradient.dot(sample.across * b.gradient);
+          }
         }
       }
     }
@@ -453,7 +477,9 @@ private:
       const Vector n = this->Normal(q.triangle);
       sample.place += q.weight / sample.weight * x;
       sample.areaVector += q.weight * n;
-      sample.tangents += q.weight * (Matrix3::Identity() - n * n.transpose());
+      const Matrix3 across = n * n.transpose();
+      sample.along += q.weight * (Matrix3::Identity() - across);
+      sample.across += q.weight * across;
       auto& part = ofTriangles.insert({ q.triangle, { 0.0, Vector::Zero() } }).first->second;
       part.first += q.weight;
       part.second += q.weight * x;
@@ -765,7 +791,7 @@ public:
       this->Margin = std::min(this->Margin, grid.Margin);
       const std::vector<DenseGrid::Pair> walls = this->FindWalls(grid);
       base.walls = static_cast<int>(walls.size());
-      grid.Factor(1.0, size * size, walls);
+      grid.Factor(1.0, size * size, 0.1, walls);
       const Matrix smooth = grid.AtPoints(grid.SmoothTwice(grid.Means(this->P)), this->P);
       const Matrix sigma =
         grid.AtPoints(grid.SmoothTwice(Matrix::Ones(grid.Samples.size(), 1)), this->P);
@@ -807,7 +833,7 @@ public:
     if (!this->Limbs)
     {
       this->Limbs = std::make_unique<DenseGrid>(this->P, this->Outward, 0.075);
-      this->Limbs->Factor(1.0, 0.075 * 0.075, {});
+      this->Limbs->Factor(1.0, 0.075 * 0.075, 0.0, {});
       this->Margin = std::min(this->Margin, this->Limbs->Margin);
     }
     const DenseGrid& grid = *this->Limbs;
@@ -999,7 +1025,7 @@ public:
     }
     if (o.centerBlend > 0.0)
     {
-      joints.grid->Factor(1.0, s * s, {});
+      joints.grid->Factor(1.0, s * s, 0.0, {});
       joints.shares =
         joints.grid->AtPoints(joints.grid->SmoothTwice(joints.grid->Means(joints.shares)), this->P);
       for (int i = 0; i < this->Count(); ++i)
@@ -1008,7 +1034,7 @@ public:
         joints.shares.row(i) /= joints.shares.row(i).sum();
       }
     }
-    joints.grid->Factor(1e-6, 1.0, {});
+    joints.grid->Factor(1e-6, 1.0, 0.0, {});
     return joints;
   }
 

@@ -142,7 +142,7 @@ void Measure(const Model& model)
     const double within = mu == 1.0 ? 0.02 : 0.03;
     // Near a ball the base of the bar is drawn toward it, the more so the shorter the bar becomes;
     // near the end of a leg its normals lean outward.
-    const double ofBarWithin = mu == 1.0 ? 0.045 : 0.09;
+    const double ofBarWithin = mu == 1.0 ? 0.05 : 0.095;
     const double ofLegWithin = mu == 1.0 ? 0.028 : 0.06;
     MethodOptions o;
     o.sphericalWeighting = SphericalWeighting::Cotangent;
