@@ -882,7 +882,8 @@ std::array<Block, 6> MakeSlopeProducts()
   return products;
 }
 
-/// The slope across the surface, all over a cell. @param across  sum of nu stiffness n n^T
+/// What the slope across the surface adds, all over a cell. @param across  sum of w n n^T, times
+/// stiffness and factor
 void AddAcross(const Eigen::Matrix3d& across, double spacing, Block& block)
 {
   static const std::array<Block, 6> products = MakeSlopeProducts();
@@ -955,7 +956,7 @@ SparseCholesky::Matrix SurfaceGrid::Assemble(
         {
           Block& block = blocks[c];
           block.fill(0.0);
-          Eigen::Matrix3d normals = Eigen::Matrix3d::Zero(); // sum of stiffness n n^T
+          Eigen::Matrix3d normals = Eigen::Matrix3d::Zero(); // sum of w n n^T times stiffness
           for (int k = this->FirstSample[begin + c]; k < this->FirstSample[begin + c + 1]; ++k)
           {
             const auto t = this->Tangents.row(k);

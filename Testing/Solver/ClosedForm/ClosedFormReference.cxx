@@ -221,11 +221,12 @@ public:
 
   int Count() const { return static_cast<int>(this->Functions.size()); }
 
-  /// @param across  of the slope across the surface, all over the cell of a sample
+  /// @param across  factor of the slope across the surface
   void Factor(double mass, double stiffness, double across, const std::vector<Pair>& pairs)
   {
     const int n = this->Count();
     Matrix A = Matrix::Zero(n, n);
+    std::map<Cell, Matrix3> normals;
     for (const Sample& sample : this->Samples)
     {
       const std::vector<Value> values = this->At(sample.place);
@@ -237,22 +238,16 @@ public:
             stiffness * a.gradient.dot(sample.along * b.gradient);
         }
       }
-      const Vector middle = (sample.place / this->Spacing).array().round() * this->Spacing;
-      for (int q = 0; q < 64 && across > 0.0; ++q) // Gauss, 4 places along each axis
+      if (across > 0.0)
       {
-        const Vector places(GaussPlaces[q % 4], GaussPlaces[q / 4 % 4], GaussPlaces[q / 16]);
-        const double weight =
-          GaussWeights[q % 4] * GaussWeights[q / 4 % 4] * GaussWeights[q / 16] / 8.0;
-        const std::vector<Value> slopes = this->At(middle + 0.5 * this->Spacing * places);
-        for (const Value& a : slopes)
-        {
-          for (const Value& b : slopes)
-          {
-            A(a.function, b.function) +=
-              weight * across * stiffness * a.gradient.dot(sample.across * b.gradient);
-          }
-        }
+        auto& ofCell =
+          normals.insert({ this->CellOf(sample.place), Matrix3::Zero() }).first->second;
+        ofCell += across * stiffness * sample.across;
       }
+    }
+    for (const auto& cell : normals)
+    {
+      this->AddAcross(cell.first, cell.second, A);
     }
     A.diagonal().array() += 1e-7 * A.trace() / n;
     this->AddPairs(pairs, A);
@@ -491,6 +486,26 @@ private:
       {
         const Vector away = part.second.second / weight - sample.place;
         sample.spread += weight / sample.weight * away * away.transpose();
+      }
+    }
+  }
+
+  /// The mean over a cell of grad phi^T normals grad phi.
+  void AddAcross(const Cell& cell, const Matrix3& normals, Matrix& A) const
+  {
+    const Vector middle = this->Spacing * Vector(cell[0], cell[1], cell[2]);
+    for (int q = 0; q < 64; ++q) // Gauss, 4 places along each axis
+    {
+      const Vector place(GaussPlaces[q % 4], GaussPlaces[q / 4 % 4], GaussPlaces[q / 16]);
+      const double weight =
+        GaussWeights[q % 4] * GaussWeights[q / 4 % 4] * GaussWeights[q / 16] / 8.0;
+      const std::vector<Value> values = this->At(middle + 0.5 * this->Spacing * place);
+      for (const Value& a : values)
+      {
+        for (const Value& b : values)
+        {
+          A(a.function, b.function) += weight * a.gradient.dot(normals * b.gradient);
+        }
       }
     }
   }

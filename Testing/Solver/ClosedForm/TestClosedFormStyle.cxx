@@ -799,7 +799,7 @@ void SmallParts()
 }
 
 /// How much of its area a fin keeps depends on the size of details smoothly, wherever the grid has
-/// its borders: without the slope across the fin, the first would have 2.7 times as much.
+/// its borders: without the slope across the fin, the first would have 2.7 times its area.
 void Fins()
 {
   using namespace Meshes;

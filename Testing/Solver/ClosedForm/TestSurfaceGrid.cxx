@@ -267,7 +267,6 @@ void Walls()
   }
 }
 
-/// K Y = grad^T g gives back a field with these gradients, but for a constant.
 /// The slope across a sheet says nothing of fields that go straight outward.
 void Straight()
 {
@@ -324,6 +323,7 @@ void Scales()
     least > 0.5 && most < 1.1, "the base of a scale is " << least << " to " << most << " as wide");
 }
 
+/// K Y = grad^T g gives back a field with these gradients, but for a constant.
 void Poisson(const Framed& s)
 {
   SurfaceGrid grid(s.P, s.F, 0.06, 2);
