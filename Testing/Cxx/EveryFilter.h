@@ -70,7 +70,7 @@ inline std::vector<Subject> Subjects()
       [](Main* f)
       {
         SetUpDefaults(f);
-        f->SetDetailSize(0.03);
+        f->SetDetailSize(0.05);
         f->SetRoundness(5.0);
         f->SetKeepSizeToExtent();
         f->KeepOnGroundOn();

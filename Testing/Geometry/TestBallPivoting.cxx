@@ -10,6 +10,7 @@
 #include "Meshes.h"
 #include "SurfaceMeasures.h"
 
+#include <algorithm>
 #include <set>
 #include <string>
 

@@ -11,8 +11,10 @@
 #include "Remeshing.h"
 #include "SurfaceMeasures.h"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>

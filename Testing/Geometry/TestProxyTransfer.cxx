@@ -13,6 +13,8 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include <algorithm>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <string>

@@ -6,6 +6,7 @@
 #include "Meshes.h"
 #include "SelfIntersections.h"
 
+#include <algorithm>
 #include <set>
 
 using namespace SphericalStyle;

@@ -8,6 +8,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <string>

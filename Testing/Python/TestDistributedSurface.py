@@ -9,6 +9,7 @@ usage: mpirun -np N pvbatch --sym TestDistributedSurface.py DATA [CHECK...]
 import math
 import os
 import sys
+import time
 import traceback
 
 import numpy as np
@@ -1132,10 +1133,11 @@ try:
               check_further_ports, check_other_cells, check_measures, check_measured_faults, check_gauss_map,
               check_every_output, check_diagnosis, check_volume, check_time_series, check_blocks, check_faults)
     for check in [check for check in checks if not sys.argv[2:] or check.__name__ in sys.argv[2:]]:
+        begin = time.monotonic()
         check()
         controller.Barrier()
         if RANK == 0:
-            print(f"{check.__name__}: passed on {RANKS} processes", flush=True)
+            print(f"{check.__name__}: passed on {RANKS} processes in {time.monotonic() - begin:.1f} s", flush=True)
 except BaseException:
     traceback.print_exc()
     sys.stderr.flush()

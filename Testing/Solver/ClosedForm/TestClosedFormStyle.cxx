@@ -10,6 +10,7 @@
 #include "SurfaceGrid.h"
 #include "SurfaceMeasures.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 

@@ -9,6 +9,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <string>
 
 using namespace SphericalStyle;

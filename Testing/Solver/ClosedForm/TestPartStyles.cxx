@@ -8,6 +8,8 @@
 #include "SphericalStyleMethod.h"
 #include "SurfaceMeasures.h"
 
+#include <algorithm>
+
 using namespace SphericalStyle;
 
 namespace

@@ -8,6 +8,7 @@
 #include "SurfaceMeasures.h"
 #include "SurfaceParts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>

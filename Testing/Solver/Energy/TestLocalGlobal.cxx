@@ -10,6 +10,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <string>
 
 using namespace SphericalStyle;

@@ -8,6 +8,7 @@
 #include "Meshes.h"
 #include "StyleSolver.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace SphericalStyle;

@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 

@@ -7,6 +7,7 @@
 #include "Meshes.h"
 #include "SurfaceMeasures.h"
 
+#include <algorithm>
 #include <map>
 
 using namespace SphericalStyle;

@@ -9,6 +9,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+
 using namespace SphericalStyle;
 using Eigen::Vector3d;
 

@@ -8,7 +8,9 @@
 #include "MeshQuality.h"
 #include "Meshes.h"
 
+#include <algorithm>
 #include <initializer_list>
+#include <limits>
 
 using namespace SphericalStyle;
 

@@ -5,6 +5,7 @@
 #include "Meshes.h"
 #include "SphereUnits.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 

@@ -8,6 +8,7 @@
 #include "SurfaceMeasures.h"
 #include "Thickness.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 

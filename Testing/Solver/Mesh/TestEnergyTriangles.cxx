@@ -9,6 +9,8 @@
 #include "Meshes.h"
 #include "StyleEnergy.h"
 
+#include <algorithm>
+
 using namespace SphericalStyle;
 using Eigen::Matrix3d;
 

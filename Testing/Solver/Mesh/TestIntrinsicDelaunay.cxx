@@ -13,7 +13,9 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cstring>
+#include <map>
 #include <set>
 #include <string>
 

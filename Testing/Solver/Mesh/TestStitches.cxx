@@ -15,7 +15,9 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <set>
 
 using namespace SphericalStyle;

@@ -8,6 +8,7 @@
 #include "Meshes.h"
 #include "SurfaceMeasures.h"
 
+#include <algorithm>
 #include <set>
 
 using namespace SphericalStyle;

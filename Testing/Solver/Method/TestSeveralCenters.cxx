@@ -13,6 +13,8 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+
 using namespace SphericalStyle;
 using Eigen::Vector3d;
 

@@ -8,6 +8,8 @@
 #include "Meshes.h"
 #include "SurfaceMeasures.h"
 
+#include <algorithm>
+
 using namespace SphericalStyle;
 
 namespace

@@ -7,6 +7,7 @@
 #include "Check.h"
 #include "Meshes.h"
 
+#include <algorithm>
 #include <limits>
 #include <string>
 

@@ -9,6 +9,8 @@
 #include "TargetDirections.h"
 #include "TargetShape.h"
 
+#include <algorithm>
+
 using namespace SphericalStyle;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
