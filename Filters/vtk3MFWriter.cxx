@@ -305,8 +305,8 @@ void vtk3MFWriter::Execute(vtkPolyData* input)
   {
     Warn(this,
       "The file is written, but a slicer has to repair the surface: it has " + flaws +
-        ". The filter Printable turns faces outward, and with CloseHoles it fills holes; Surface "
-        "Diagnostics shows all such places");
+        ". The filter Printable turns faces outward and fills holes; Surface Diagnostics shows all "
+        "such places");
   }
   this->UpdateProgress(1.0);
 }

@@ -216,7 +216,7 @@ std::string ThinRemark(const Eigen::VectorXd& thickness, double wanted)
   text << "MinimumThickness: walls stay thinner than " << wanted << " at " << Count(count, "point")
        << ", the thinnest with " << least << " at point " << thinnest
        << ", where the surface would run through itself; the array WallThickness shows them. "
-          "Choose a larger Height, or less";
+          "Choose a larger Height or a smaller MinimumThickness";
   return text.str();
 }
 

@@ -10,8 +10,8 @@
  * nothing of this makes a self-intersection.
  *
  * Input port 0: vtkPolyData. Triangles, quads, polygons and strips take part; lines, vertices and
- * points of no face do not come out. Coincident points are one. The surface has to be closed,
- * unless CloseHoles is on; an error names the first point where it is not. Parts that touch in a
+ * points of no face do not come out. Coincident points are one. Holes are filled; with CloseHoles
+ * off an open surface is an error that names the first point where it is. Parts that touch in a
  * point or along an edge are taken apart there [manifold], and a wall or fin that ends at an edge
  * of other faces is open. A surface that is spread over processes is gathered
  * (vtkWholeSurfaceAlgorithm).
@@ -113,7 +113,7 @@ public:
 
   ///@{
   /**
-   * Fill the holes of an open surface. Default off: an open surface is an error that says where.
+   * Fill the holes of an open surface (default). Off: an open surface is an error that says where.
    */
   vtkSetMacro(CloseHoles, bool);
   vtkGetMacro(CloseHoles, bool);
@@ -176,7 +176,7 @@ private:
   double MinimumThickness = 0.0;
   double Volume = 0.0;
   double Height = 0.0;
-  bool CloseHoles = false;
+  bool CloseHoles = true;
   bool PlaceOnPlate = false;
   int UpAxis = Y_AXIS;
   int OutputPointsPrecision = DEFAULT_PRECISION;

@@ -217,7 +217,12 @@ const char* vtkSphericalStyleFilter::GetCenterPosition()
   const Eigen::Vector3d center(custom ? this->Center : this->EffectiveCenter);
   const SphericalStyle::TriangleMesh& mesh =
     this->Preview && coarse ? coarse->Surface.Mesh : surface->Mesh;
-  return vtkTargetSphere::Encloses(mesh, center) ? "Inside" : "Outside";
+  if (!vtkTargetSphere::Encloses(mesh, center))
+  {
+    return "Outside";
+  }
+  return vtkTargetSphere::IsNear(mesh, center, 0.5 * this->EffectiveRadius) ? "NearSurface"
+                                                                            : "Inside";
 }
 
 int vtkSphericalStyleFilter::FillInputPortInformation(int port, vtkInformation* info)

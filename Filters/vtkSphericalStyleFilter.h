@@ -605,8 +605,9 @@ public:
 
   /**
    * Where the center lies: "Inside" or "Outside" of the model of the last execution (for open
-   * surfaces by the solid angle that they fill), or empty before the first and where it is not
-   * known yet (or no more, after ReleaseCache). With CenterMode Custom that of Center as it is now,
+   * surfaces by the solid angle that they fill), "NearSurface" inside where the surface comes
+   * nearer to it than half of EffectiveRadius, or empty before the first and where it is not known
+   * yet (or no more, after ReleaseCache). With CenterMode Custom that of Center as it is now,
    * before it is executed, so that one can ask while dragging it; else of the center that was used.
    * Not known where each process has rounded its own part.
    * O(triangles) for each call.

@@ -4,12 +4,15 @@
 
 #include "pqInteractivePropertyWidget.h"
 #include "vtkActor.h"
+#include "vtkCommand.h"
+#include "vtkHandleWidget.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPointHandleRepresentation3D.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkSMNewWidgetRepresentationProxy.h"
+#include "vtkWidgetEventTranslator.h"
 
 namespace
 {
@@ -46,6 +49,11 @@ void pqAlwaysInFront::apply(vtkSMNewWidgetRepresentationProxy* widget, const QCo
   if (!handle)
   {
     return;
+  }
+  // VTK's handles shrink under the right button, to a dot that nobody finds again.
+  if (vtkAbstractWidget* shown = widget->GetWidget())
+  {
+    shown->GetEventTranslator()->RemoveTranslation(vtkCommand::RightButtonPressEvent);
   }
   SetLook(handle->GetProperty(), color);
   SetLook(handle->GetSelectedProperty(), Selected);

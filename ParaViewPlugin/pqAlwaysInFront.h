@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A handle in the view that the model never hides. A decorator, for a group whose widget puts one
-/// there:
+/// A handle in the view that the model never hides, and that keeps its size. A decorator, for a
+/// group whose widget puts one there:
 ///
 ///     <PropertyGroup panel_widget="InteractiveHandle">
 ///       <Hints>

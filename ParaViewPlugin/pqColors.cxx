@@ -86,6 +86,27 @@ void set(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const Choice
     view, vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
 }
 
+void nameNone(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const QByteArray& text)
+{
+  vtkSMProxy* map = MapOf(display);
+  vtkSMProxy* legend =
+    map ? vtkNew<vtkSMTransferFunctionManager>()->GetScalarBarRepresentation(map, view) : nullptr;
+  if (!legend)
+  {
+    return;
+  }
+  const double gray[3] = { 0.6, 0.6, 0.6 };
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", map);
+    vtkSMPropertyHelper(map, "NanColor").Set(gray, 3);
+    map->UpdateVTKObjects();
+  }
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", legend);
+  vtkSMPropertyHelper(legend, "DrawNanAnnotation").Set(1);
+  vtkSMPropertyHelper(legend, "NanAnnotation").Set(text.data());
+  legend->UpdateVTKObjects();
+}
+
 void nameNumbers(vtkSMPVRepresentationProxy* display, bool begin)
 {
   vtkSMProxy* map = MapOf(display);

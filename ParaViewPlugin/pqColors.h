@@ -24,6 +24,9 @@ struct Choice
 Choice get(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view);
 void set(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const Choice& choice);
 
+/// Gray, with a text in the legend, where the numbers are none (NaN). With quantities only.
+void nameNone(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const QByteArray& text);
+
 /// Whole numbers that name things, such as parts: each gets a color that differs from the others.
 /// @param begin  also where the color map is one for quantities; else only new numbers get colors
 void nameNumbers(vtkSMPVRepresentationProxy* display, bool begin);

@@ -144,7 +144,7 @@ pqLook::pqLook(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parent
 
 void pqLook::addColor(vtkPVXMLElement* xml)
 {
-  Color color{ xml->GetAttributeOrEmpty("array"),
+  Color color{ xml->GetAttributeOrEmpty("array"), xml->GetAttributeOrEmpty("none"),
     this->proxy()->GetProperty(xml->GetAttributeOrEmpty("property")),
     new QPushButton(xml->GetAttributeOrEmpty("text"), this) };
   color.Button->setObjectName(color.Array);
@@ -406,6 +406,10 @@ void pqLook::colorBy(const Color& color, bool on)
     {
       display->RescaleTransferFunctionToDataRange();
     }
+    if (on && !color.None.isEmpty())
+    {
+      pqColors::nameNone(display, smview, color.None);
+    }
     END_UNDO_SET();
     this->view()->render();
   }
@@ -429,7 +433,9 @@ void pqLook::frame(vtkSMSourceProxy* source, unsigned int port)
     double from[3], to[3];
     this->Framed.GetCenter(from);
     now.GetCenter(to);
-    if (size > MuchLarger * before || before > MuchLarger * size ||
+    const bool comesAround =
+      IsFromInside(this->view(), now) && !IsFromInside(this->view(), this->Framed);
+    if (size > MuchLarger * before || before > MuchLarger * size || comesAround ||
       vtkMath::Distance2BetweenPoints(from, to) > before * before)
     {
       camera->ResetCamera();

@@ -8,6 +8,7 @@
 ///       <Property name="Converged"/>
 ///       <Hints>
 ///         <Color text="Displacement" array="Displacement" property="GenerateDisplacement"/>
+///         <Color text="Walls" array="WallThickness" none="no wall"/>
 ///         <Plain array="STLSolidLabeling"/>
 ///         <Names array="PartId"/>
 ///       </Hints>
@@ -25,7 +26,8 @@
 /// later one fails, ParaView would go on to show the result before it: it shows the next one.
 ///
 /// Where what the view shows is over three times as large or small as what was there before, or
-/// somewhere else, the camera is reset: a model that Printable makes 80 mm high would be around it.
+/// somewhere else, or comes to be around the camera, the camera is reset: so with a model that
+/// Printable makes 80 mm high.
 #ifndef pqLook_h
 #define pqLook_h
 
@@ -68,6 +70,7 @@ private:
   struct Color
   {
     QByteArray Array;
+    QByteArray None;                       // what the legend says where there is no number
     vtkSmartPointer<vtkSMProperty> Switch; // makes the array
     QPushButton* Button;
   };

@@ -50,7 +50,9 @@ void pqNotice::updateText()
     this->Button->setToolTip(tr("Follows the advice and applies it. Undo takes it back."));
   }
   this->Button->setVisible(this->Advised != nullptr);
-  this->Note->setText(QString("<b>%1:</b> %2").arg(this->Title, text.toHtmlEscaped()));
+  this->Note->setText(
+    QString("<b>%1:</b> %2")
+      .arg(this->Title, pqShownValue::inWordsOfPanel(text, this->proxy()).toHtmlEscaped()));
 }
 
 void pqNotice::follow()

@@ -262,7 +262,7 @@ void pqProblem::updateText()
   const QString text = ofInput.isEmpty() ? texts.join("\n\n") : ofInput;
   if (!text.isEmpty()) // else it goes as it is
   {
-    this->Note->setText(text);
+    this->Note->setText(pqShownValue::inWordsOfPanel(text, this->proxy()));
     this->Note->setSerious(serious);
     this->Button->setVisible(!this->AnyDataSet && IsNoSurface(KnownData(this->proxy())));
     this->RemedyButton->setVisible(this->Remedy && text.contains(this->Remedy->GetXMLName()) &&

@@ -9,6 +9,9 @@
 #include "vtkSMEnumerationDomain.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMPropertyIterator.h"
+#include "vtkSMProxy.h"
+#include "vtkSmartPointer.h"
 
 #include <QRegularExpression>
 
@@ -63,6 +66,22 @@ QString label(vtkSMProperty* property)
     }
   }
   return property->GetXMLLabel();
+}
+
+QString inWordsOfPanel(QString text, vtkSMProxy* filter)
+{
+  vtkSmartPointer<vtkSMPropertyIterator> property;
+  property.TakeReference(filter->NewPropertyIterator());
+  for (property->Begin(); !property->IsAtEnd(); property->Next())
+  {
+    // A name of one word may be an ordinary word, and has the same label mostly.
+    const QString name = property->GetKey();
+    if (words(name) != name)
+    {
+      text.replace(QRegularExpression("\\b" + name + "\\b"), label(property->GetProperty()));
+    }
+  }
+  return text;
 }
 
 QString words(const QString& text)

@@ -28,6 +28,9 @@ double fromText(vtkSMProperty* property, const QString& text);
 /// The words of the panel for a property and for such a text.
 QString label(vtkSMProperty* property);
 QString words(const QString& text);
+
+/// A message in which properties of the filter have the names of the panel, not those of scripts.
+QString inWordsOfPanel(QString text, vtkSMProxy* filter);
 }
 
 #endif

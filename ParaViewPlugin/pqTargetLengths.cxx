@@ -3,8 +3,12 @@
 #include "pqTargetLengths.h"
 
 #include "pqSourceOf.h"
+#include "pqView.h"
 #include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkPVDataInformation.h"
+#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
 
 #include <algorithm>
@@ -14,14 +18,15 @@ namespace
 {
 /// With the volume kept, one length of three grows with this root of its ratio to the others.
 constexpr double RootOfRatio = 1.5;
-constexpr double Shortest = 0.1; // of the longest, as in vtkSphericalStyleFilter
+constexpr double AtTheViewer = 0.94; // cosine of 20 degrees
+constexpr double Shortest = 0.1;     // of the longest, as in vtkSphericalStyleFilter
 }
 
 pqTargetLengths::pqTargetLengths(
   vtkSMProxy* smproxy, vtkSMPropertyGroup* /*group*/, QWidget* parentWidget)
   : pqViewHandles(smproxy, smproxy->GetProperty("TargetLengths"),
       tr("Drag the handles in the view to change the lengths: red along X, yellow along Y, green "
-         "along Z."),
+         "along Z. Drag one that points at you up or down."),
       parentWidget)
 {
 }
@@ -67,6 +72,25 @@ QColor pqTargetLengths::color(std::size_t handle) const
 void pqTargetLengths::dragBegins()
 {
   this->Begin = this->extent();
+  auto* shown = vtkSMRenderViewProxy::SafeDownCast(this->view()->getProxy());
+  vtkCamera* camera = shown ? shown->GetActiveCamera() : nullptr;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Pull[axis] = {};
+    this->Pull[axis][axis] = 1.0;
+    double along[3] = {};
+    if (camera)
+    {
+      camera->GetDirectionOfProjection(along);
+    }
+    if (std::abs(along[axis]) > AtTheViewer)
+    {
+      double right[3];
+      vtkMath::Cross(along, camera->GetViewUp(), right);
+      vtkMath::Cross(right, along, this->Pull[axis].data());
+      vtkMath::Normalize(this->Pull[axis].data());
+    }
+  }
 }
 
 void pqTargetLengths::handleMoved(int handle, const Place& to)
@@ -76,7 +100,12 @@ void pqTargetLengths::handleMoved(int handle, const Place& to)
     return;
   }
   const double half = this->Begin.Half[handle];
-  const double factor = std::max((to[handle] - this->Begin.Center[handle]) / half, 0.0);
+  Place from = this->Begin.Center;
+  from[handle] += half;
+  Place motion;
+  vtkMath::Subtract(to, from, motion);
+  const double pulled = vtkMath::Dot(motion.data(), this->Pull[handle].data());
+  const double factor = std::max(1.0 + pulled / half, 0.0);
   std::vector<double> lengths;
   for (const double other : this->Begin.Half)
   {

@@ -42,7 +42,8 @@ private:
 
   Extent extent() const;
 
-  Extent Begin; // of the drag
+  Extent Begin;                   // of the drag
+  std::array<Place, 3> Pull = {}; // directions in which dragging makes longer
 };
 
 #endif

@@ -125,11 +125,13 @@ void pqTargetSphereWidget::updateStatement()
   const QString text = vtkSMPropertyHelper(this->CenterPosition).GetAsString();
   this->Statement->setText(text == "Outside" ? tr("The center is outside the model: the side that "
                                                   "faces it becomes flatter, and hollow where "
-                                                  "Limbs is low.")
-                                             : tr("The center is inside the model."));
+                                                  "Limbs is low. Center Mode Custom moves it.")
+      : text == "NearSurface" ? tr("The center is near the surface, which bulges there: "
+                                   "move it deeper inside, with Center Mode Custom.")
+                              : tr("The center is inside the model."));
   this->Statement->setVisible(!text.isEmpty());
   QFont font = this->font();
-  font.setBold(text == "Outside");
+  font.setBold(text != "Inside");
   this->Statement->setFont(font);
 }
 

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqUpOfView.h"
 
+#include "pqPipelineSource.h"
 #include "pqPropertyWidget.h"
 #include "pqShownValue.h"
+#include "pqSourceOf.h"
 #include "pqView.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -14,6 +16,7 @@
 #include "vtkSMRenderViewProxy.h"
 
 #include <QComboBox>
+#include <QTimer>
 
 #include <cmath>
 
@@ -24,17 +27,32 @@ pqUpOfView::pqUpOfView(vtkPVXMLElement* xml, pqPropertyWidget* widget)
   xml->GetScalarAttribute("value", &this->Value);
   auto* axis = vtkSMIntVectorProperty::SafeDownCast(widget->property());
   auto* list = widget->findChild<QComboBox*>();
-  if (!this->Other || !axis || !list)
+  if (!axis || !list)
   {
     return;
   }
   this->OwnAxis = axis->GetDefaultValue(0);
-  this->WasNeeded = this->isNeeded();
   QObject::connect(
     list, qOverload<int>(&QComboBox::activated), this, [this] { this->Chosen = true; });
+  if (!this->Other)
+  {
+    QTimer::singleShot(0, this, [this] { this->begin(); }); // the widget has its view then
+    return;
+  }
+  this->WasNeeded = this->isNeeded();
   for (const auto event : { vtkCommand::ModifiedEvent, vtkCommand::UncheckedPropertyModifiedEvent })
   {
     this->Observers.add(this->Other, event, this, &pqUpOfView::follow);
+  }
+}
+
+/// Not of a filter that was applied, or that a state file or a script has made.
+void pqUpOfView::begin()
+{
+  const pqPipelineSource* filter = pqSourceOf(this->parentWidget()->proxy());
+  if (filter && filter->modifiedState() == pqProxy::UNINITIALIZED && !this->isChosen())
+  {
+    this->setAxis();
   }
 }
 
@@ -79,6 +97,10 @@ void pqUpOfView::setAxis()
     axis = std::abs(up[k]) > std::abs(up[axis]) ? k : axis;
   }
   this->OwnAxis = axis;
+  if (pqShownValue::get(widget->property()) == this->OwnAxis)
+  {
+    return;
+  }
   pqShownValue::set(widget->property(), this->OwnAxis);
   Q_EMIT widget->changeAvailable();
 }

@@ -7,6 +7,10 @@
 ///
 ///     <PropertyWidgetDecorator type="UpOfView" property="KeepOnGround" value="1"/>
 ///
+/// or without property, where the panel of a new filter opens:
+///
+///     <PropertyWidgetDecorator type="UpOfView"/>
+///
 /// The axis is set in the panel, as if it had been chosen there: Apply takes over both properties,
 /// in one step of undo, and one of the trace. An axis that the user has chosen stays, and so does
 /// one from a state file or a script.
@@ -27,6 +31,7 @@ public:
   pqUpOfView(vtkPVXMLElement* xml, pqPropertyWidget* widget);
 
 private:
+  void begin();
   bool isNeeded() const;
   bool isChosen() const;
   void follow();

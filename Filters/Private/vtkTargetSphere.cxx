@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTargetSphere.h"
 
+#include "NearestPoint.h"
 #include "SurfaceMeasures.h"
 #include "vtkFilterSupport.h"
 #include "vtkSurfaceMeshConversion.h"
@@ -77,6 +78,21 @@ bool vtkTargetSphere::Encloses(
     angle += SphericalStyle::SolidAngle(mesh.P, mesh.F, f, point);
   }
   return std::abs(angle) > 2.0 * EIGEN_PI;
+}
+
+bool vtkTargetSphere::IsNear(
+  const SphericalStyle::TriangleMesh& mesh, const Eigen::Vector3d& point, double distance)
+{
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+  {
+    const Eigen::Vector3d nearest = SphericalStyle::NearestOfTriangle(
+      point, mesh.P.row(mesh.F(f, 0)), mesh.P.row(mesh.F(f, 1)), mesh.P.row(mesh.F(f, 2)));
+    if ((nearest - point).squaredNorm() < distance * distance)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 std::string vtkTargetSphere::OnCenter(const std::vector<int>& points, const vtkSurfaceMesh& surface)

@@ -27,6 +27,10 @@ void Fill(vtkPolyData* output, const std::vector<SphericalStyle::Sphere>& sphere
 /// triangles must agree on their outside; which it is does not matter. O(m).
 bool Encloses(const SphericalStyle::TriangleMesh& mesh, const Eigen::Vector3d& point);
 
+/// Whether the surface comes nearer to the point than a distance. O(m).
+bool IsNear(
+  const SphericalStyle::TriangleMesh& mesh, const Eigen::Vector3d& point, double distance);
+
 /// The warning for points that have no direction from the center; empty without any.
 /// @param points  of the mesh
 std::string OnCenter(const std::vector<int>& points, const vtkSurfaceMesh& surface);

@@ -6,7 +6,7 @@ from .messages import Error, execute
 
 
 def printable(mesh, *, foot_area=0.03, stability_angle=10.0, minimum_thickness=0.0, volume=0.0, height=0.0,
-              close_holes=False, place_on_plate=True, up_axis="Y"):
+              close_holes=True, place_on_plate=True, up_axis="Y"):
     """Returns a copy of a mesh that can be printed: with a flat foot, standing, closed, and of the wanted size.
 
     mesh: a vtkPolyData, a PyVista mesh, an object with vertices and faces such as a trimesh, or a tuple of arrays
@@ -22,7 +22,7 @@ def printable(mesh, *, foot_area=0.03, stability_angle=10.0, minimum_thickness=0
     volume or height: what it is scaled to, in its own unit, which programs for printers take as millimeters; both 0: it
     keeps its volume.
 
-    close_holes: fill the holes of an open mesh, which is an error otherwise. place_on_plate: turn up_axis ("X", "Y" or
+    close_holes: fill the holes of an open mesh, which is an error with False. place_on_plate: turn up_axis ("X", "Y" or
     "Z") to z, and put the foot on z = 0 and the middle on x = y = 0.
 
     Raises sphericalstyle.Error with the filter's message if the mesh cannot be printed.

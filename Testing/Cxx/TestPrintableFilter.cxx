@@ -210,6 +210,7 @@ void CheckMessages(Checker& check)
   open->DeleteCell(200);
   open->RemoveDeletedCells();
   Printed holes(open);
+  holes.Get()->CloseHolesOff();
   refuses(holes, "3 border edges, the first at point ");
   holes.Get()->CloseHolesOn();
   holes.Errors.clear();
@@ -220,11 +221,13 @@ void CheckMessages(Checker& check)
     MakeSurface({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, .4 }, { -.6, .8, .5 }, { -.5, -.9, .6 } },
       { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });
   Printed fan(three); // two become a leaf, the third one comes off
+  fan.Get()->CloseHolesOff();
   refuses(fan, "7 border edges, the first at point 0");
   const Surface strip =
     MakeSurface({ { 1, 0, -1 }, { 1, 0, 1 }, { -1, 1, 0 }, { -1, 0, 1 }, { 0, -1, 0 } },
       { { 0, 1, 2 }, { 1, 2, 3 }, { 2, 3, 4 }, { 3, 4, 0 }, { 4, 0, 1 } });
   Printed moebius(strip);
+  moebius.Get()->CloseHolesOff();
   refuses(moebius, "7 border edges, the first at point "); // with its seam
 }
 

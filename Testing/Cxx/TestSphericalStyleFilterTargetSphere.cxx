@@ -144,8 +144,13 @@ void Inside(Checker& check, const std::string& about, vtkPolyData* model)
   filter->SetRoundness(1.0);
   check(Position(check, filter) == "Inside", "the center has not moved");
   filter->SetCenterModeToCustom();
-  for (const auto& [z, position] : { std::pair(0.95, "Inside"), std::pair(1.05, "Outside"),
-         std::pair(-0.9, "Inside"), std::pair(-9.0, "Outside") })
+  // The ball ends at 1, so half of the radius from there the surface is near.
+  const double border = 1.0 - 0.5 * filter->GetEffectiveRadius();
+  check(border > 0.2 && border < 0.8, "the sphere should be of the ball's size");
+  for (const auto& [z, position] :
+    { std::pair(border - 0.02, "Inside"), std::pair(border + 0.02, "NearSurface"),
+      std::pair(0.95, "NearSurface"), std::pair(1.05, "Outside"),
+      std::pair(0.02 - border, "Inside"), std::pair(-9.0, "Outside") })
   {
     filter->SetCenter(0.0, 0.0, z);
     const std::string where = "z = " + vtkVariant(z).ToString() + " should be " + position;

@@ -55,7 +55,7 @@ def write(mesh, name="model.3mf", unit=None):
     start, end = "The file is written, but a slicer has to repair the surface: it has ", ". The filter Printable "
     told = []
     for text in messages.warnings:
-        assert text.startswith(start) and "CloseHoles" in text and "Surface Diagnostics" in text, text
+        assert text.startswith(start) and "fills holes" in text and "Surface Diagnostics" in text, text
         told += text[len(start):].partition(end)[0].split("; ")
     return ThreeMFFiles.load(folder / name), told
 

@@ -138,6 +138,8 @@ def check_decorator(name, decorator):
     """One that names what is not there hides the property for good, without a word."""
     if decorator.get("type") in ("AlwaysInFront", "FitToPanel", "PanelLabel", "UpdateWhileDragging"):
         return  # of no other property
+    if decorator.get("type") == "UpOfView" and "property" not in decorator.attrib:
+        return  # where the panel opens
     if decorator.get("type") == "CompositeDecorator":
         return  # those in it are looked at one by one
     master = elements.get(decorator.get("property"))

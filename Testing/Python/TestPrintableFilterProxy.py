@@ -31,7 +31,7 @@ def changes_of(filter_):
 ball = Sphere(ThetaResolution=32, PhiResolution=32, Radius=1.0)
 printed = Printable(Input=ball)
 assert (printed.FootArea, printed.StabilityAngle, printed.Height, printed.Volume, printed.CloseHoles,
-        printed.PlaceOnPlate, printed.UpAxis) == (0.03, 10.0, 0.0, 0.0, 0, 0, "Y")
+        printed.PlaceOnPlate, printed.UpAxis) == (0.03, 10.0, 0.0, 0.0, 1, 0, "Y")
 changes = changes_of(printed)
 assert changes["TiltAngle"][0] < 0.0 and changes["TiltAngle"][1] >= 10.0, changes
 assert abs(changes["Volume"][1] / changes["Volume"][0] - 1.0) < 1e-6, changes

@@ -155,14 +155,53 @@ def lengths(ball):
     assert given[0] > 1.5 * given[1] and abs(given[1] / given[2] - 1.0) < 0.01, given
     assert 1.35 * extent[0] < now[0] < 1.7 * extent[0], ("the shape ends far from the mouse", extent, now)
     assert numpy.ptp(points(style)[:, 0]) > 1.2 * numpy.ptp(points(style)[:, 1]), "the model has the shape's lengths"
+    yield from pointing_at_viewer(style, now)
+    yield from right_button(to_screen([0.5 * shape(style)[0], 0, 0]))
+    given = values(style, "TargetLengths")
     style.Target = "Sphere"
     simple.Render(view)
     for _ in range(4):
         yield
-    there = to_screen([0.5 * now[0], 0, 0])
+    there = to_screen([0.5 * shape(style)[0], 0, 0])
     for _ in drag(there, end):
         yield
     assert (values(style, "TargetLengths") == given).all(), "a sphere has no handles"
+
+
+def pointing_at_viewer(style, extent):
+    """The handle along z, in the middle of the view: dragged up, it makes the target longer."""
+    before = values(style, "TargetLengths")
+    middle = [0, 0, 0.5 * extent[2]]
+    for _ in drag(to_screen(middle), to_screen([0, 0.25 * extent[2], 0.5 * extent[2]])):
+        yield
+    ratio = values(style, "TargetLengths") / before
+    assert abs(ratio[0] / ratio[1] - 1.0) < 0.01 and ratio[2] / ratio[0] > 1.5, ("not longer along z", ratio)
+
+
+def right_button(place):
+    """Leaves a handle as large as the others."""
+    hidden = view.SMProxy.GetProperty("HiddenRepresentations")
+    shown = [hidden.GetProxy(k).GetRepresentationProxy() for k in range(hidden.GetNumberOfProxies())
+             if hidden.GetProxy(k).GetXMLName() == "HandleWidgetRepresentation" and
+             servermanager.vtkSMPropertyHelper(hidden.GetProxy(k), "Visibility").GetAsInt()]
+    assert len(shown) == 3, shown
+
+    def sizes():
+        bounds = [handle.GetClientSideObject().GetBounds() for handle in shown]
+        return numpy.ptp(numpy.reshape(bounds, (3, 3, 2)), axis=2)
+
+    mouse("MouseMoveEvent", place)
+    yield
+    mouse("RightButtonPressEvent", place)
+    for k in range(1, 6):
+        mouse("MouseMoveEvent", [place[0], place[1] - 20 * k])
+        yield
+    mouse("RightButtonReleaseEvent", [place[0], place[1] - 100])
+    yield
+    assert sizes().min() > 0.5 * sizes().max(), ("one has another size", sizes())
+    view.CameraPosition, view.CameraFocalPoint = [0, 0, 8], [0, 0, 0]  # the right button zooms
+    simple.Render(view)
+    yield
 
 
 def steps():

@@ -6,11 +6,7 @@
 
 namespace SphericalStyle
 {
-namespace
-{
-/// C. Ericson, Real-Time Collision Detection, 2005, 5.1.5: by the corner, edge or face whose
-/// Voronoi region the place is in.
-Eigen::Vector3d NearestOf(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+Eigen::Vector3d NearestOfTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
   const Eigen::Vector3d& b, const Eigen::Vector3d& c)
 {
   const Eigen::Vector3d ab = b - a;
@@ -53,7 +49,6 @@ Eigen::Vector3d NearestOf(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
   const double whole = overA + overB + overC;
   return a + overB / whole * ab + overC / whole * ac;
 }
-}
 
 /// Nearest boxes first.
 void NearestPoint::Search(const TriangleTree& tree, const TriangleTree::Node& node)
@@ -85,8 +80,9 @@ void NearestPoint::Search(const TriangleTree& tree, const TriangleTree::Node& no
 void NearestPoint::Test(int f)
 {
   const auto corners = this->F.row(f);
-  const Eigen::Vector3d nearest = NearestOf(this->Place, this->P.row(corners(0)).transpose(),
-    this->P.row(corners(1)).transpose(), this->P.row(corners(2)).transpose());
+  const Eigen::Vector3d nearest =
+    NearestOfTriangle(this->Place, this->P.row(corners(0)).transpose(),
+      this->P.row(corners(1)).transpose(), this->P.row(corners(2)).transpose());
   const double square = (this->Place - nearest).squaredNorm();
   if (square < this->Square)
   {

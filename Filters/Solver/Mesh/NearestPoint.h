@@ -11,6 +11,11 @@
 
 namespace SphericalStyle
 {
+/// The point of the triangle abc that is nearest to p, by the corner, edge or face whose Voronoi
+/// region p is in (C. Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+Eigen::Vector3d NearestOfTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+  const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
 /// The nearest point of triangles that have an area, by their tree: boxes that are farther than
 /// what has been found are left out.
 ///
