@@ -418,6 +418,7 @@ void pqLook::colorBy(const Color& color, bool on)
 
 void pqLook::frame(vtkSMSourceProxy* source, unsigned int port)
 {
+  constexpr double Larger = 1.5;
   constexpr double MuchLarger = 3.0;
   const vtkBoundingBox now = KnownBounds(source, port);
   auto* camera =
@@ -433,8 +434,8 @@ void pqLook::frame(vtkSMSourceProxy* source, unsigned int port)
     double from[3], to[3];
     this->Framed.GetCenter(from);
     now.GetCenter(to);
-    const bool comesAround =
-      IsFromInside(this->view(), now) && !IsFromInside(this->view(), this->Framed);
+    const bool comesAround = size > Larger * before && IsFromInside(this->view(), now) &&
+      !IsFromInside(this->view(), this->Framed);
     if (size > MuchLarger * before || before > MuchLarger * size || comesAround ||
       vtkMath::Distance2BetweenPoints(from, to) > before * before)
     {
