@@ -58,23 +58,20 @@ pqTargetSphereWidget::pqTargetSphereWidget(
     // Not in the middle of the update that tells of it.
     this->Timer.connect(source, SIGNAL(dataUpdated(pqPipelineSource*)), SLOT(start()));
   }
-  this->Observers[this->CenterPosition] = this->CenterPosition->AddObserver(
-    vtkCommand::ModifiedEvent, this, &pqTargetSphereWidget::updateStatement);
+  this->Observers.add(
+    this->CenterPosition, vtkCommand::ModifiedEvent, this, &pqTargetSphereWidget::updateStatement);
   for (vtkSMProperty* mode :
     { smproxy->GetProperty("CenterMode"), smproxy->GetProperty("RadiusMode") })
   {
-    this->Observers[mode] = mode->AddObserver(
-      vtkCommand::UncheckedPropertyModifiedEvent, this, &pqTargetSphereWidget::startCustom);
+    this->Observers.add(
+      mode, vtkCommand::UncheckedPropertyModifiedEvent, this, &pqTargetSphereWidget::startCustom);
   }
   this->updateStatement();
 }
 
 pqTargetSphereWidget::~pqTargetSphereWidget()
 {
-  for (const auto& [observed, tag] : this->Observers)
-  {
-    observed->RemoveObserver(tag);
-  }
+  this->Observers.clear();
   this->addToView(false);
 }
 

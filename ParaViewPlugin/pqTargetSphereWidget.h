@@ -17,12 +17,11 @@
 #ifndef pqTargetSphereWidget_h
 #define pqTargetSphereWidget_h
 
+#include "pqObservers.h"
 #include "pqPropertyWidget.h"
 #include "vtkSmartPointer.h"
 
 #include <QTimer>
-
-#include <map>
 
 class QLabel;
 class pqSettingCheckBox;
@@ -58,7 +57,7 @@ private:
   QLabel* Statement;
   pqSettingCheckBox* ShowSphere;
   QTimer Timer;
-  std::map<vtkSmartPointer<vtkSMProperty>, unsigned long> Observers;
+  pqObservers Observers;
   vtkSmartPointer<vtkSMProxy> Sphere;
 };
 
