@@ -20,7 +20,8 @@
 ///
 /// When the first Apply displays the result, ParaView colors it by the array that colors the model.
 /// It then shows an array of colors as they are, where ParaView would map their magnitude, and the
-/// surface in one color where the array is Plain: one that a reader made, and no user asked for.
+/// surface in one color where the array is Plain: one that a reader made and no user asked for, or
+/// that is done with, as numbers of parts once the parts are rounded.
 /// The numbers of an array of Names get distinct colors. Where the first Apply fails, ParaView
 /// would never color the result: it gets the colors of the model as soon as it is there. Where a
 /// later one fails, ParaView would go on to show the result before it: it shows the next one.
