@@ -13,6 +13,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
+#include <QSlider>
 #include <QStyledItemDelegate>
 #include <QTableView>
 
@@ -91,6 +92,12 @@ bool pqFitToPanel::eventFilter(QObject* watched, QEvent* event)
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     return false;
   }
+  auto* slider = qobject_cast<QSlider*>(watched);
+  if (slider && event->type() == QEvent::Wheel && !slider->hasFocus())
+  {
+    event->ignore(); // scrolls the panel
+    return true;
+  }
   if (watched == this->parentWidget() && event->type() == QEvent::Show)
   {
     this->watchPanel();
@@ -124,6 +131,11 @@ void pqFitToPanel::watchPanel()
       layout->setStretch(0, 1); // half for the slider, which had a third
       layout->setStretch(1, 1);
     }
+  }
+  for (auto* slider : properties->findChildren<QSlider*>())
+  {
+    slider->setFocusPolicy(Qt::StrongFocus); // the wheel alone gives it none
+    slider->installEventFilter(this);
   }
   for (auto* number : properties->findChildren<pqDoubleLineEdit*>())
   {

@@ -10,7 +10,8 @@
 /// other, all as wide as the widest of them. That is the color editor of the display, which is
 /// wider than the panel of a new window: without this the numbers at the right are cut off.
 /// Numbers that are too long for their line edits show fewer digits, until they are edited. Labels
-/// get the tool tips of their properties, which ParaView gives to the widgets beside them only.
+/// get the tool tips of their properties, which ParaView gives to the widgets beside them only. The
+/// mouse wheel scrolls the panel, and changes a slider only after a click on it.
 #ifndef pqFitToPanel_h
 #define pqFitToPanel_h
 
