@@ -14,8 +14,9 @@
  * carried along unmoved. Open borders, several components, non-manifold edges and coincident points
  * are allowed. It may be spread over processes: in closed form each rounds its own part, and what
  * is sent does not depend on the number of points, but for those that several processes have. A
- * region, center ids, AvoidSelfIntersections, a surface with one side, points that are not welded
- * and edges to be split have it gathered instead, and so has the energy (vtkWholeSurfaceAlgorithm).
+ * region, center ids, Symmetry, Target Mesh, a rest pose, AvoidSelfIntersections, a surface with
+ * one side, points that are not welded and edges to be split have it gathered instead, and so has
+ * the energy (vtkWholeSurfaceAlgorithm).
  *
  * Input port 1, optional: vtkPointSet, centers of your own for array 5, one point per id: in the
  * order of the ids, or, when it has a point array of that array's name, the point with that id.
@@ -563,8 +564,9 @@ public:
    * coarse copy of about 25000 of its points [preview], which is quicker. They are about where the
    * full result has them, with all of their arrays. The full result has to be there, of this input:
    * else it is made instead, as it is where the result is not in closed form, with
-   * AvoidSelfIntersections, a region, several centers, input arrays, and with NormalBlend and given
-   * normals at DetailSize 0. The thickness of limbs stays that of the last full result. Warnings,
+   * AvoidSelfIntersections, Symmetry, a Target other than Sphere, a rest pose, a region, several
+   * centers, input arrays or those of Part Sizes, and with NormalBlend and given normals at
+   * DetailSize 0. The thickness of limbs stays that of the last full result. Warnings,
    * Advice and the facts of the guard come with the full result only. With several processes (MPI)
    * each makes its part coarse, where the full result is made in parts; the number of points is
    * that of all of them. Default off.
