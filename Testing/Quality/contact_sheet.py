@@ -16,20 +16,18 @@ TITLES = [name for name in surfaces.STYLES if name != "defaults"]  # of the pict
 SPIKE = 1.5  # of the larger of the radius and the distance before
 OPENING = 0.01  # fractions of the diagonal: of the thesis above own, of styles at all
 EXCESS = 1.5  # degrees; even meshes have up to 1.1 with either weights, slivers with uniform ones 2.5 to 5.4
-UNEVENNESS = 1.35  # times own
+UNEVENNESS = 1.1  # times own
 TURNED_OVER = {"defaults": 0.1, "Soft": 0.1, "Toy": 0.1, "Chibi": 0.1, "Ball": 0.35}  # percent of the triangles
 # What does not hold: {(claim, model): (why, {style: measured})}; a tenth more than that is a failure.
 THIN = "hard thin panels, far thinner than the details that are kept"
 EXCEPTIONS = {
-    ("turned over", "car"): (THIN, {"defaults": 1.11, "Soft": 0.78, "Toy": 1.11, "Chibi": 1.22, "Ball": 1.49}),
-    ("turned over", "lidar-sensor"): (THIN, {"defaults": 0.53, "Soft": 0.37, "Toy": 0.53, "Chibi": 0.35, "Ball": 4.43}),
-    ("turned over", "Data/car"): (THIN, {"defaults": 0.27, "Soft": 0.12, "Toy": 0.27, "Chibi": 0.26, "Ball": 0.78}),
-    ("turned over", "Data/stone-house"): ("the foot of the chimney, which sinks into the roof",
-                                          {"defaults": 0.169, "Toy": 0.169, "Chibi": 0.30}),
-    ("turned over", "Data/tangram-prism"): ("a plate becomes a ball", {"defaults": 0.147, "Toy": 0.147, "Ball": 0.56}),
-    ("turned over", "lucy"): ("feathers of the wings, in creases of the base", {"Ball": 0.36}),
+    ("turned over", "car"): (THIN, {"defaults": 0.61, "Soft": 0.37, "Toy": 0.61, "Chibi": 0.93, "Ball": 0.49}),
+    ("turned over", "lidar-sensor"): (THIN, {"defaults": 0.52, "Soft": 0.36, "Toy": 0.52, "Chibi": 0.31, "Ball": 4.05}),
+    ("turned over", "Data/car"): (THIN, {"defaults": 0.24, "Soft": 0.12, "Toy": 0.24, "Chibi": 0.21, "Ball": 0.44}),
+    ("turned over", "Data/stone-house"): ("the foot of the chimney, which sinks into the roof", {"Chibi": 0.21}),
+    ("turned over", "Data/tangram-prism"): ("a plate becomes a ball", {"defaults": 0.147, "Toy": 0.147}),
     ("opening", "lidar-sensor"): ("plates between parts; the thesis opens them by 0.11 and 0.22",
-                                  {"defaults": 0.0114, "Toy": 0.0114, "Chibi": 0.0234, "Ball": 0.0193}),
+                                  {"defaults": 0.0111, "Toy": 0.0111, "Chibi": 0.0226, "Ball": 0.0183}),
 }
 COLUMNS = ["model", "case", "points", "parts", "seconds", "factor", "spike", "opening", "own opening", "fold change",
            "own fold change", "fold excess", "unevenness", "own unevenness", "turned over"]
