@@ -120,15 +120,19 @@ void pqTargetSphereWidget::refresh()
 void pqTargetSphereWidget::updateStatement()
 {
   const QString text = vtkSMPropertyHelper(this->CenterPosition).GetAsString();
-  this->Statement->setText(text == "Outside" ? tr("The center is outside the model: the side that "
-                                                  "faces it becomes flatter, and hollow where "
-                                                  "Limbs is low. Center Mode Custom moves it.")
-      : text == "NearSurface" ? tr("The center is near the surface, which bulges there: "
-                                   "move it deeper inside, with Center Mode Custom.")
-                              : tr("The center is inside the model."));
+  const bool isOutside = text == "Outside";
+  // Many models have their centroid near the surface and show nothing of it; a center that was put
+  // there does more often.
+  const bool isNear =
+    text == "NearSurface" && vtkSMPropertyHelper(this->proxy(), "CenterMode").GetAsInt() == Custom;
+  this->Statement->setText(isOutside ? tr("The center is outside the model: the side that faces it "
+                                          "becomes flatter, and hollow where Limbs is low. Center "
+                                          "Mode Custom moves it.")
+      : isNear ? tr("The center is inside the model, near the surface, which may bulge there.")
+               : tr("The center is inside the model."));
   this->Statement->setVisible(!text.isEmpty());
   QFont font = this->font();
-  font.setBold(text != "Inside");
+  font.setBold(isOutside);
   this->Statement->setFont(font);
 }
 

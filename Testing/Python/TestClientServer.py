@@ -154,7 +154,7 @@ def same(title, ours, other):
 
 
 built_in, (built_in_points, told_built_in) = run_all(), rounded_points(spread=False)
-assert built_in["details kept"][1]["CenterPosition"] == "Inside"
+assert built_in["details kept"][1]["CenterPosition"] == "NearSurface"
 assert built_in["blown up"][1]["Advice"], built_in["blown up"][1]
 Disconnect()
 
