@@ -95,7 +95,7 @@ bool pqFitToPanel::eventFilter(QObject* watched, QEvent* event)
   auto* slider = qobject_cast<QSlider*>(watched);
   if (slider && event->type() == QEvent::Wheel && !slider->hasFocus())
   {
-    event->ignore(); // scrolls the panel
+    event->ignore(); // left to what is around it
     return true;
   }
   if (watched == this->parentWidget() && event->type() == QEvent::Show)

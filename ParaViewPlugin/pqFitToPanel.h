@@ -11,7 +11,7 @@
 /// wider than the panel of a new window: without this the numbers at the right are cut off.
 /// Numbers that are too long for their line edits show fewer digits, until they are edited. Labels
 /// get the tool tips of their properties, which ParaView gives to the widgets beside them only. The
-/// mouse wheel scrolls the panel, and changes a slider only after a click on it.
+/// mouse wheel changes a slider only after a click on it.
 #ifndef pqFitToPanel_h
 #define pqFitToPanel_h
 
