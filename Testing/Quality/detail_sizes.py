@@ -27,18 +27,12 @@ def jumps(x, F, properties):
 
 
 def main():
-    parser = surfaces.parser(__doc__)
-    surfaces.add_models(parser)
-    parser.add_argument("names", nargs="*", metavar="MODEL", help=f"of {', '.join(MODELS)}")
-    chosen = parser.parse_args()
+    chosen, paths = surfaces.chosen_models(__doc__, MODELS)
     checks = surfaces.Checks()
-    paths = surfaces.model_paths(chosen.models)
     rows = []
     print("| model | jump | largest of a point |\n|---|---|---|")
-    for name in chosen.names or MODELS:
-        if name not in paths:
-            continue
-        found = jumps(*surfaces.read(paths[name]), dict(chosen.set))
+    for name, path in paths.items():
+        found = jumps(*surfaces.read(path), dict(chosen.set))
         row = {"model": name, "jump": float(np.sqrt(np.mean(found ** 2))), "largest": float(found.max())}
         print(f"| {name} | {row['jump']:.4f} | {row['largest']:.3f} |", flush=True)
         rows.append(row)

@@ -33,18 +33,12 @@ def normals(x, F):
 
 
 def main():
-    parser = surfaces.parser(__doc__)
-    surfaces.add_models(parser)
-    parser.add_argument("names", nargs="*", metavar="MODEL", help=f"of {', '.join(CHARACTERS)}")
-    chosen = parser.parse_args()
+    chosen, paths = surfaces.chosen_models(__doc__, CHARACTERS)
     checks = surfaces.Checks()
-    paths = surfaces.model_paths(chosen.models)
     sheet = []
     print("| model | parts | size of the head | head to body | turned over, % |\n|---|---|---|---|---|")
-    for name in chosen.names or CHARACTERS:
-        if name not in paths:
-            continue
-        x, F = surfaces.read(paths[name])
+    for name, path in paths.items():
+        x, F = surfaces.read(path)
         surface = surfaces.polydata(x, F)
         ids = sphericalstyle.parts(surface)
         rounded = sphericalstyle.round(surface, preset="Chibi", refine_long_edges="Off", keep_on_ground=True)

@@ -129,17 +129,11 @@ def decimated(surface):
 
 
 def main():
-    parser = surfaces.parser(__doc__)
-    surfaces.add_models(parser)
-    parser.add_argument("names", nargs="*", metavar="MODEL", help=f"of {', '.join(NAMED)}")
-    chosen = parser.parse_args()
+    chosen, paths = surfaces.chosen_models(__doc__, NAMED)
     checks = surfaces.Checks()
-    paths = surfaces.model_paths(chosen.models)
     rows = []
-    for name in chosen.names or NAMED:
-        if name not in paths:
-            continue
-        x, F = surfaces.read(paths[name])
+    for name, path in paths.items():
+        x, F = surfaces.read(path)
         surface = surfaces.polydata(x, F)
         hand = NAMED[name](x)
         found, count = find(surface)

@@ -114,21 +114,15 @@ def count_thin(output):
 
 
 def main():
-    parser = surfaces.parser(__doc__)
-    surfaces.add_models(parser)
-    parser.add_argument("names", nargs="*", metavar="MODEL", help=f"of {', '.join(NAMES)}")
-    chosen = parser.parse_args()
+    chosen, paths = surfaces.chosen_models(__doc__, NAMES)
     if not hasattr(sphericalstyle, "vtkPrintableFilter"):
         surfaces.skip("built without CGAL")
     checks = surfaces.Checks()
-    paths = surfaces.model_paths(chosen.models)
     sheet, plates = [], []
     print("| model | tilt, degrees | lean | cut, % | thinnest before | after | points below 1 | self-intersecting |"
           " admesh | layers | s |\n|---|---|---|---|---|---|---|---|---|---|---|")
-    for name in chosen.names or NAMES:
-        if name not in paths:
-            continue
-        x, F = surfaces.read(paths[name])
+    for name, model in paths.items():
+        x, F = surfaces.read(model)
         toy = sphericalstyle.round(surfaces.polydata(x, F), preset="Toy")
         output, result, rows = printed(name, toy)
         checks(not result.failed, f"{name}: {result.messages}")

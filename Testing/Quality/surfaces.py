@@ -73,6 +73,19 @@ def model_paths(folder):
     return paths | {f"Data/{path.stem}": path for path in sorted((ROOT / "Data").glob("*.vtp"))}
 
 
+def chosen_models(description, names):
+    """(options, {name: path}) of a script for these models: those that the command line names, or all that are there."""
+    parser_ = parser(description)
+    add_models(parser_)
+    parser_.add_argument("names", nargs="*", metavar="MODEL", help=f"of {', '.join(names)}")
+    chosen = parser_.parse_args()
+    paths = model_paths(chosen.models)
+    missing = [name for name in chosen.names if name not in paths]
+    if missing:
+        skip(f"no model {', '.join(missing)}")
+    return chosen, {name: paths[name] for name in chosen.names or names if name in paths}
+
+
 def assignment(text):
     name, _, value = text.partition("=")
     if not hasattr(vtkSphericalStyleFilter, "Set" + name):

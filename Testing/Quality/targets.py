@@ -99,17 +99,13 @@ def compare(check, name, path):
 
 
 def main():
-    parser = surfaces.parser(__doc__)
-    surfaces.add_models(parser)
-    parser.add_argument("names", nargs="*", help="of " + ", ".join(NAMES))
-    arguments = parser.parse_args()
+    arguments, paths = surfaces.chosen_models(__doc__, NAMES)
     if not shutil.which("blender"):
         surfaces.skip("no Blender")
     check = surfaces.Checks()
     rows, sheets = [], []
-    paths = surfaces.model_paths(arguments.models)
-    for name in arguments.names or [name for name in NAMES if name in paths]:
-        more, sheet, version = compare(check, name, paths[name])
+    for name, path in paths.items():
+        more, sheet, version = compare(check, name, path)
         rows += more
         sheets.append(sheet)
     print(f"{version}; {len(rows)} pairs")
