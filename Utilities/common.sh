@@ -84,6 +84,12 @@ minutes()
   printf '%d min %d s' "$((SECONDS / 60))" "$((SECONDS % 60))"
 }
 
+# usage : prints what the head of the script says after "usage:".
+usage()
+{
+  sed -n '/^# usage:/,/^[^#]/s/^# \{0,1\}//p' "$0"
+}
+
 # take_test_options OPTIONS... : -h prints the script's usage, -v sets VERBOSE, all others go to ctest. Without any,
 # tests of the label Long are left out.
 take_test_options()
@@ -93,7 +99,7 @@ take_test_options()
   for option in "$@"; do
     case $option in
       -h | --help)
-        sed -n '/^# usage:/,/^[^#]/s/^# \{0,1\}//p' "$0"
+        usage
         exit 0
         ;;
       -v) VERBOSE=1 ;;

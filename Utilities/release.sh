@@ -19,11 +19,6 @@ steps=(state checks tests system-12 system-13 system-testing asan clang tsan fuz
   quality benchmarks archive)
 version=$(sed -n 's/^  VERSION \([0-9.]*\)$/\1/p' "$project/CMakeLists.txt")
 
-usage()
-{
-  sed -n '/^# usage:/,/^[^#]/s/^# \{0,1\}//p' "$0"
-}
-
 # What is released is a commit, and its number is the same everywhere.
 step_state()
 {
@@ -111,10 +106,7 @@ step_mutations()
 
 step_coverage()
 {
-  cd "$project"
-  cmake --preset coverage -DPython3_EXECUTABLE=/usr/bin/python3
-  cmake --build build-coverage
-  ctest --test-dir build-coverage --output-on-failure
+  preset coverage
   gcovr --root . --filter Filters/ --branches --exclude-throw-branches --txt "$build/branches.txt" build-coverage
   gcovr --root . --filter Filters/ --txt "$build/lines.txt" build-coverage
 }
