@@ -73,22 +73,23 @@ void pqTargetLengths::dragBegins()
 {
   this->Begin = this->extent();
   auto* shown = vtkSMRenderViewProxy::SafeDownCast(this->view()->getProxy());
-  vtkCamera* camera = shown ? shown->GetActiveCamera() : nullptr;
+  double along[3] = {};
+  Place up = {};
+  if (shown)
+  {
+    double right[3];
+    shown->GetActiveCamera()->GetDirectionOfProjection(along);
+    vtkMath::Cross(along, shown->GetActiveCamera()->GetViewUp(), right);
+    vtkMath::Cross(right, along, up.data());
+    vtkMath::Normalize(up.data());
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
     this->Pull[axis] = {};
     this->Pull[axis][axis] = 1.0;
-    double along[3] = {};
-    if (camera)
-    {
-      camera->GetDirectionOfProjection(along);
-    }
     if (std::abs(along[axis]) > AtTheViewer)
     {
-      double right[3];
-      vtkMath::Cross(along, camera->GetViewUp(), right);
-      vtkMath::Cross(right, along, this->Pull[axis].data());
-      vtkMath::Normalize(this->Pull[axis].data());
+      this->Pull[axis] = up;
     }
   }
 }

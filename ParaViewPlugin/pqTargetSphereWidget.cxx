@@ -114,6 +114,7 @@ bool pqTargetSphereWidget::isSphereVisible() const
 void pqTargetSphereWidget::refresh()
 {
   this->proxy()->UpdatePropertyInformation();
+  this->updateStatement(); // of another mode the position may be the same
   this->updateSphere();
 }
 
@@ -121,15 +122,21 @@ void pqTargetSphereWidget::updateStatement()
 {
   const QString text = vtkSMPropertyHelper(this->CenterPosition).GetAsString();
   const bool isOutside = text == "Outside";
-  // Many models have their centroid near the surface and show nothing of it; a center that was put
-  // there does more often.
-  const bool isNear =
-    text == "NearSurface" && vtkSMPropertyHelper(this->proxy(), "CenterMode").GetAsInt() == Custom;
-  this->Statement->setText(isOutside ? tr("The center is outside the model: the side that faces it "
-                                          "becomes flatter, and hollow where Limbs is low. Center "
-                                          "Mode Custom moves it.")
-      : isNear ? tr("The center is inside the model, near the surface, which may bulge there.")
-               : tr("The center is inside the model."));
+  const bool isCustom = vtkSMPropertyHelper(this->proxy(), "CenterMode").GetAsInt() == Custom;
+  QString statement = tr("The center is inside the model.");
+  if (isOutside)
+  {
+    statement = tr("The center is outside the model: the side that faces it becomes flatter, and "
+                   "hollow where Limbs is low.");
+    statement += isCustom ? QString() : tr(" Center Mode Custom moves it.");
+  }
+  else if (isCustom && text == "NearSurface")
+  {
+    // Many models have their centroid near the surface and show nothing of it; a center that was
+    // put there does more often.
+    statement = tr("The center is inside the model, near the surface, which may bulge there.");
+  }
+  this->Statement->setText(statement);
   this->Statement->setVisible(!text.isEmpty());
   QFont font = this->font();
   font.setBold(isOutside);
