@@ -190,7 +190,8 @@ vtkIdType SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
     throw std::invalid_argument(least > 0.0 && std::isfinite(most)
         ? about + " can be made " + Digits(least, true) + " to " + Digits(most, false) +
           " times as high as the rest, by factors from 1/20 to 20, not " + Text(wanted) +
-          "; choose another height, or see Head and UpAxis"
+          "; choose another height, or see Head and UpAxis. A model that lies has no height of a "
+          "head: set HeadHeight to 0 and give that part a row of PartSize, such as 1.5"
         : about + " or the rest has no height along UpAxis; choose another axis, or see Head");
   }
   sizes(head.part) *= factor;

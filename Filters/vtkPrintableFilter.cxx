@@ -220,15 +220,6 @@ std::string ThinRemark(const Eigen::VectorXd& thickness, double wanted)
   return text.str();
 }
 
-std::string CutRemark(const PrintableResult& result)
-{
-  constexpr double Much = 0.1; // of the height
-  const double share = result.cutDepth / result.before.height;
-  return share > Much ? "The foot takes " + std::to_string(std::lround(100.0 * share)) +
-      " % of the height off the model: a smaller FootArea or StabilityAngle takes less"
-                      : "";
-}
-
 void MakeTable(vtkTable* table, const PrintableResult& result, const ClosedInput& closed)
 {
   table->Initialize(); // an observer of progress may have asked for an update, which filled it
@@ -359,7 +350,10 @@ int vtkPrintableFilter::Execute(
   FillOutput(output, input, closed, result.surface, type);
   AddThickness(output, result.thickness, type);
   Warn(this, ThinRemark(result.thickness, this->MinimumThickness));
-  Warn(this, CutRemark(result));
+  for (const std::string& remark : result.remarks)
+  {
+    Warn(this, remark);
+  }
   MakeTable(vtkTable::GetData(outputVector, 1), result, closed);
   return 1;
 }

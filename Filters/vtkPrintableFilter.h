@@ -61,9 +61,9 @@ public:
   /**
    * The least area of the flat foot, as a fraction of the rectangle that the bounds of the model
    * cover on the ground. The model is cut as low as that takes, and not at all where it has such a
-   * foot; higher where it could not stand otherwise. 0: no cut. Range 0..1, default .03. An error,
-   * with the area in reach, where a cut of a fifth of the height is not enough; a warning where it
-   * takes more than a tenth.
+   * foot; higher where it could not stand otherwise. 0: no cut. Range 0..1, default .03. Where a cut
+   * of a fifth of the height is not enough, the foot is the largest one up to there, and a warning
+   * names its area; a warning, too, where the cut takes more than a tenth.
    */
   vtkSetRangeMacro(FootArea, double, 0.0, 1.0);
   vtkGetMacro(FootArea, double);
@@ -75,7 +75,8 @@ public:
    * that the foot is made larger, by a cut of up to a fifth of the height, and the model leans, up
    * to 10 degrees: the foot stays, and all else moves aside in proportion to its height. Of all
    * pairs of cut and lean the one that changes the model least is taken. 0: neither. Range 0..45,
-   * default 10. An error where both together are not enough.
+   * default 10. Where both together are not enough, the model is as stable as they make it, and a
+   * warning names the angle.
    */
   vtkSetRangeMacro(StabilityAngle, double, 0.0, 45.0);
   vtkGetMacro(StabilityAngle, double);

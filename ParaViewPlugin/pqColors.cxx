@@ -11,6 +11,7 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionManager.h"
+#include "vtkSMTransferFunctionProxy.h"
 #include "vtkSMViewProxy.h"
 
 #include <string>
@@ -105,6 +106,28 @@ void nameNone(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const Q
   vtkSMPropertyHelper(legend, "DrawNanAnnotation").Set(1);
   vtkSMPropertyHelper(legend, "NanAnnotation").Set(text.data());
   legend->UpdateVTKObjects();
+}
+
+void setLogarithmic(vtkSMPVRepresentationProxy* display)
+{
+  vtkSMProxy* map = MapOf(display);
+  if (!map || isLogarithmic(display))
+  {
+    return;
+  }
+  {
+    SM_SCOPED_TRACE(CallMethod).arg(map).arg("MapControlPointsToLogSpace");
+    vtkSMTransferFunctionProxy::MapControlPointsToLogSpace(map);
+  }
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", map);
+  vtkSMPropertyHelper(map, "UseLogScale").Set(1);
+  map->UpdateVTKObjects();
+}
+
+bool isLogarithmic(vtkSMPVRepresentationProxy* display)
+{
+  vtkSMProxy* map = MapOf(display);
+  return map && vtkSMPropertyHelper(map, "UseLogScale").GetAsInt() != 0;
 }
 
 void nameNumbers(vtkSMPVRepresentationProxy* display, bool begin)

@@ -27,6 +27,11 @@ void set(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const Choice
 /// Gray, with a text in the legend, where the numbers are none (NaN). With quantities only.
 void nameNone(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const QByteArray& text);
 
+/// A logarithmic color map, for lengths from far below to far above what matters. Where there are
+/// numbers of 0 or less, the smallest ones get the first color.
+void setLogarithmic(vtkSMPVRepresentationProxy* display);
+bool isLogarithmic(vtkSMPVRepresentationProxy* display);
+
 /// Whole numbers that name things, such as parts: each gets a color that differs from the others.
 /// @param begin  also where the color map is one for quantities; else only new numbers get colors
 void nameNumbers(vtkSMPVRepresentationProxy* display, bool begin);

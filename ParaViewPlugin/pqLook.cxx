@@ -145,12 +145,14 @@ pqLook::pqLook(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parent
 void pqLook::addColor(vtkPVXMLElement* xml)
 {
   Color color{ xml->GetAttributeOrEmpty("array"), xml->GetAttributeOrEmpty("none"),
+    QString(xml->GetAttributeOrEmpty("scale")) == "log",
     this->proxy()->GetProperty(xml->GetAttributeOrEmpty("property")),
     new QPushButton(xml->GetAttributeOrEmpty("text"), this) };
   color.Button->setObjectName(color.Array);
   color.Button->setCheckable(true);
-  color.Button->setToolTip(tr("Colors the result by %1, with a legend in the view.")
-                             .arg(pqShownValue::words(color.Array).toLower()));
+  color.Button->setToolTip(tr("Colors the result by %1, with a legend in the view. %2")
+                             .arg(pqShownValue::words(color.Array).toLower(),
+                               QString::fromUtf8(xml->GetAttributeOrEmpty("note"))));
   this->layout()->addWidget(color.Button);
   QObject::connect(color.Button, &QPushButton::toggled, this,
     [this, color](bool on) { this->colorBy(color, on); });
@@ -329,7 +331,7 @@ QString pqLook::seen() const
       words << ColorWords(display) +
           (pqColors::countNames(display) > 0
               ? QString(" of %1 names").arg(pqColors::countNames(display))
-              : QString());
+              : QString(pqColors::isLogarithmic(display) ? " log" : ""));
     }
     if (display->IsScalarBarVisible(this->view()->getProxy()))
     {
@@ -405,6 +407,10 @@ void pqLook::colorBy(const Color& color, bool on)
     else if (on)
     {
       display->RescaleTransferFunctionToDataRange();
+    }
+    if (on && color.IsLogarithmic)
+    {
+      pqColors::setLogarithmic(display);
     }
     if (on && !color.None.isEmpty())
     {

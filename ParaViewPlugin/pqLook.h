@@ -8,15 +8,16 @@
 ///       <Property name="Converged"/>
 ///       <Hints>
 ///         <Color text="Displacement" array="Displacement" property="GenerateDisplacement"/>
-///         <Color text="Walls" array="WallThickness" none="no wall"/>
+///         <Color text="Walls" array="WallThickness" none="no wall" scale="log" note="..."/>
 ///         <Plain array="STLSolidLabeling"/>
 ///         <Names array="PartId"/>
 ///       </Hints>
 ///     </PropertyGroup>
 ///
 /// The property of the group is there for its place in the panel, see pqPresets.h. A button of
-/// colors switches on the property that makes the array. The result comes back, and the model is
-/// hidden again, with a second click, with Apply, and where another filter or view is chosen.
+/// colors switches on the property that makes the array; a note is added to its tooltip. The result
+/// comes back, and the model is hidden again, with a second click, with Apply, and where another
+/// filter or view is chosen.
 ///
 /// When the first Apply displays the result, ParaView colors it by the array that colors the model.
 /// It then shows an array of colors as they are, where ParaView would map their magnitude, and the
@@ -54,7 +55,8 @@ class pqLook : public pqPropertyWidget
 {
   Q_OBJECT
   Q_PROPERTY(QString seen READ
-      seen) ///< for tests: "model", "result, RGB itself, legend", "result, PartId of 9 names"
+      seen) ///< for tests: "model", "result, RGB itself, legend", "result, PartId of 9 names",
+            ///< "result, WallThickness log"
 
 public:
   pqLook(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
@@ -71,7 +73,8 @@ private:
   struct Color
   {
     QByteArray Array;
-    QByteArray None;                       // what the legend says where there is no number
+    QByteArray None; // what the legend says where there is no number
+    bool IsLogarithmic = false;
     vtkSmartPointer<vtkSMProperty> Switch; // makes the array
     QPushButton* Button;
   };

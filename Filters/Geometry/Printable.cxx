@@ -28,6 +28,8 @@ constexpr int Tries = 5;
 constexpr double Higher = 1e-3;
 /// By how much a foot grows on which the model cannot stand.
 constexpr double LargerFoot = 1.2;
+/// Share of the height from which on a remark says what the cut takes off.
+constexpr double MuchCut = 0.1;
 /// How often walls are made thicker again because the model became smaller.
 constexpr int Thickenings = 10;
 /// By which share the least thickness has to grow for another try.
@@ -109,11 +111,27 @@ struct Stand
   double depth = 0.0; // of the cut
   double lean = 0.0;  // degrees
   Eigen::Vector2d shear = Eigen::Vector2d::Zero();
-  std::string problem;       // why there is none
-  bool isOutOfReach = false; // a larger foot is as well
+  double tiltAngle = -std::numeric_limits<double>::infinity(); // or what is wanted, if more
+  std::string problem;                                         // why there is none
+  std::string footRemark; // the foot is smaller than wanted, or takes much off
+  std::string tiltRemark; // the angle is
 };
 
-/// [foot]
+/// As it is, its ground flat to the bit.
+Stand WithoutCut(const TriangleMesh& mesh, int axis, bool hasFoot)
+{
+  Stand stand;
+  stand.surface = Underived(mesh);
+  const double ground = mesh.P.col(axis).minCoeff();
+  const double tolerance = OnGround * Extent(mesh.P, axis);
+  for (auto p : stand.surface.mesh.P.rowwise())
+  {
+    p(axis) = hasFoot && p(axis) <= ground + tolerance ? ground : p(axis);
+  }
+  return stand;
+}
+
+/// The wanted foot, or the largest one in reach. [foot]
 Stand GiveFoot(const TriangleMesh& mesh, const PrintableOptions& options, double footArea)
 {
   const int axis = options.axis;
@@ -122,26 +140,29 @@ Stand GiveFoot(const TriangleMesh& mesh, const PrintableOptions& options, double
   const double height = Extent(mesh.P, axis);
   const double ground = mesh.P.col(axis).minCoeff();
   const double has = GroundArea(mesh, axis, OnGround * height);
-  Stand stand;
   if (footArea == 0.0 || wanted <= has)
   {
-    stand.surface = Underived(mesh);
-    for (auto p : stand.surface.mesh.P.rowwise())
-    {
-      p(axis) = footArea > 0.0 && p(axis) <= ground + OnGround * height ? ground : p(axis);
-    }
-    return stand;
+    return WithoutCut(mesh, axis, footArea > 0.0);
   }
+  const double deepest = ground + DeepestCut * height;
   double most = 0.0;
-  const double level = FootLevel(mesh, axis, wanted, ground + DeepestCut * height, most);
+  double level = FootLevel(mesh, axis, wanted, deepest, most);
+  Stand stand;
   if (std::isnan(level))
   {
-    stand.isOutOfReach = true;
-    stand.problem = "FootArea: a cut of up to a fifth of the height makes a foot of " +
+    const std::string remark = "FootArea: a cut of up to a fifth of the height makes a foot of " +
       Text(std::floor(std::max(most, has) / rectangle * 1e3) / 1e3) +
       " of the rectangle that the model covers on the ground, not " + Text(footArea) +
-      "; choose less, or see UpAxis";
-    return stand;
+      ", and that is what it has. A smaller foot takes less off the model; UpAxis chooses another "
+      "side to stand on";
+    if (most <= has)
+    {
+      stand = WithoutCut(mesh, axis, true);
+      stand.footRemark = remark;
+      return stand;
+    }
+    stand.footRemark = remark;
+    level = FootLevel(mesh, axis, most, deepest, most);
   }
   for (int k = 0; k < Tries; ++k)
   {
@@ -159,37 +180,77 @@ Stand GiveFoot(const TriangleMesh& mesh, const PrintableOptions& options, double
   return stand;
 }
 
-/// The lean that takes the center of mass above the foot [stands], or why there is none.
+/// Of a model that cannot be tilted as far as wanted; empty where it can.
+std::string TiltRemark(double wanted, double reached, bool hasNoFoot)
+{
+  if (reached >= wanted)
+  {
+    return {};
+  }
+  const std::string begin = "StabilityAngle: ";
+  const std::string most = "with the largest foot and a lean of up to " + Text(MostLean) +
+    " degrees; see FootArea and UpAxis";
+  if (hasNoFoot)
+  {
+    return begin +
+      "the model stands on a point or a line, so it falls over; set FootArea to more than 0, or "
+      "StabilityAngle to 0";
+  }
+  return begin +
+    (reached > 0.0 ? "the model can be tilted by " + Text(std::floor(reached * 10.0) / 10.0) +
+          " degrees before it falls over, not " + Text(wanted) + ", "
+                   : "the model falls over even ") +
+    most;
+}
+
+/// How the center of mass has to move so that the model can be tilted by an angle.
+/// @return false where it would have to lean too much, or no place is good enough
+bool FindShear(const SupportPolygon& support, const Eigen::Vector2d& center, double height,
+  double angle, Eigen::Vector2d& shear)
+{
+  Eigen::Vector2d place;
+  double most = 0.0;
+  const bool isFound = NearestStablePlace(support, center, height, angle, place, most);
+  shear = (place - center) / height;
+  return isFound && std::atan(shear.norm()) <= MostLean * Pi / 180.0;
+}
+
+/// The lean that takes the center of mass above the foot, as far as a lean can. [stands]
 void FindLean(const PrintableOptions& options, Stand& stand)
 {
+  if (options.stabilityAngle == 0.0)
+  {
+    stand.tiltAngle = 0.0;
+    return;
+  }
   const int axis = options.axis;
   const TriangleMesh& mesh = stand.surface.mesh;
   const SupportPolygon support = FindSupport(mesh.P, axis, OnGround * Extent(mesh.P, axis));
-  const Eigen::Vector3d center = CenterOfMass(mesh);
-  const double height = center(axis) - mesh.P.col(axis).minCoeff();
-  Eigen::Vector2d place;
-  double most = 0.0;
-  const std::string wanted = "StabilityAngle: " + Text(options.stabilityAngle) + " degrees ";
-  if (!NearestStablePlace(
-        support, Across(center, axis), height, options.stabilityAngle, place, most))
+  const Eigen::Vector3d centerOfMass = CenterOfMass(mesh);
+  const Eigen::Vector2d center = Across(centerOfMass, axis);
+  const double height = centerOfMass(axis) - mesh.P.col(axis).minCoeff();
+  const double before = TiltAngle(support, center, height);
+  stand.shear.setZero();
+  stand.tiltAngle = std::min(before, options.stabilityAngle);
+  Eigen::Vector2d shear;
+  if (FindShear(support, center, height, options.stabilityAngle, shear))
   {
-    stand.problem = support.size() < 3 ? wanted +
-        "need a flat foot, and the model stands on a point or a line; set FootArea to more than 0, "
-        "or StabilityAngle to 0"
-                                       : wanted +
-        "cannot be reached with the largest foot that is allowed: the center of mass above its "
-        "middle makes " +
-        Text(std::floor(most * 10.0) / 10.0) + "; choose less, or see FootArea and UpAxis";
-    return;
+    stand.shear = shear;
+    stand.tiltAngle = options.stabilityAngle;
   }
-  stand.shear = (place - Across(center, axis)) / height;
+  else if (FindShear(support, center, height, std::max(0.0, before), shear))
+  {
+    double high = options.stabilityAngle;
+    stand.tiltAngle = std::max(0.0, before);
+    for (int step = 0; step < 60; ++step)
+    {
+      const double middle = 0.5 * (stand.tiltAngle + high);
+      (FindShear(support, center, height, middle, shear) ? stand.tiltAngle : high) = middle;
+    }
+    FindShear(support, center, height, stand.tiltAngle, stand.shear);
+  }
   stand.lean = std::atan(stand.shear.norm()) * 180.0 / Pi;
-  if (stand.lean > MostLean)
-  {
-    stand.problem = wanted + "would need a lean of " + Text(stand.lean) +
-      " degrees with the largest foot that is allowed, and more than " + Text(MostLean) +
-      " are not done; choose less, or see FootArea and UpAxis";
-  }
+  stand.tiltRemark = TiltRemark(options.stabilityAngle, stand.tiltAngle, support.size() < 3);
 }
 
 void LeanBy(const Eigen::Vector2d& shear, int axis, Points& P)
@@ -202,8 +263,9 @@ void LeanBy(const Eigen::Vector2d& shear, int axis, Points& P)
   }
 }
 
-/// Of feet from the wanted one on, the one that changes the model least [stands].
-/// @throw std::invalid_argument where it cannot stand
+/// Of feet from the wanted one on, the one that changes the model least [stands]; where none makes
+/// it stand as wanted, the one that comes nearest.
+/// @throw std::invalid_argument where it cannot be cut
 Stand FindStand(const TriangleMesh& mesh, const PrintableOptions& options)
 {
   const double deepest = DeepestCut * Extent(mesh.P, options.axis);
@@ -215,32 +277,32 @@ Stand FindStand(const TriangleMesh& mesh, const PrintableOptions& options)
   {
     const double area = options.footArea * std::pow(LargerFoot, k);
     const bool isFirst = k == 0;
-    if (area > 1.0 && !isFirst)
+    const bool stands = best.tiltAngle >= options.stabilityAngle;
+    if (!isFirst && (area > 1.0 || area == 0.0 || (stands && best.lean == 0.0)))
     {
       break;
     }
     Stand stand = GiveFoot(mesh, options, area);
-    const bool isBeyond = stand.isOutOfReach || square(stand.depth / deepest) >= least;
-    if (isBeyond && !isFirst)
+    const bool isLargest = !stand.footRemark.empty();
+    if (!isFirst && (isLargest || (stands && square(stand.depth / deepest) >= least)))
     {
       break;
     }
-    if (stand.problem.empty() && options.stabilityAngle > 0.0)
+    if (stand.problem.empty())
     {
       FindLean(options, stand);
+      const double change = square(stand.lean / MostLean) + square(stand.depth / deepest);
+      if (stand.tiltAngle > best.tiltAngle || (stand.tiltAngle == best.tiltAngle && change < least))
+      {
+        least = change;
+        best = std::move(stand);
+      }
     }
-    if (isFirst || !stand.problem.empty())
+    else
     {
       problem = stand.problem;
     }
-    const double change = square(stand.lean / MostLean) + square(stand.depth / deepest);
-    if (stand.problem.empty() && change < least)
-    {
-      least = change;
-      best = std::move(stand);
-    }
-    const bool stands = least < std::numeric_limits<double>::infinity() && best.lean == 0.0;
-    if (stands || area == 0.0 || (isFirst && isBeyond))
+    if (isLargest)
     {
       break;
     }
@@ -275,14 +337,7 @@ void ThickenOnFoot(const PrintableOptions& options, Stand& stand)
   made.P =
     ThickenWalls(made, options.thickness, options.threads, { axis, made.P.col(axis).minCoeff() });
   const Eigen::Vector2d before = stand.shear;
-  if (options.stabilityAngle > 0.0)
-  {
-    FindLean(options, stand);
-  }
-  if (!stand.problem.empty())
-  {
-    throw std::invalid_argument(stand.problem);
-  }
+  FindLean(options, stand);
   LeanBy(stand.shear, axis, made.P);
   stand.shear += before;
   stand.lean = std::atan(stand.shear.norm()) * 180.0 / Pi;
@@ -305,6 +360,20 @@ void StandAndScale(
   }
   result.lean = stand.lean;
   result.cutDepth = stand.depth;
+  const double share = stand.depth / Extent(mesh.P, options.axis);
+  if (stand.footRemark.empty() && share > MuchCut)
+  {
+    stand.footRemark = "The foot takes " + std::to_string(std::lround(100.0 * share)) +
+      " % of the height off the model: a smaller FootArea or StabilityAngle takes less";
+  }
+  result.remarks.clear();
+  for (const std::string& remark : { stand.footRemark, stand.tiltRemark })
+  {
+    if (!remark.empty())
+    {
+      result.remarks.push_back(remark);
+    }
+  }
   result.thickness = FindWalls(made, options.threads).thickness;
   result.surface = std::move(stand.surface);
 }

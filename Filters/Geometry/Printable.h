@@ -8,6 +8,8 @@
 #include "FlatFoot.h"
 
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace SphericalStyle
 {
@@ -44,11 +46,12 @@ struct PrintableResult
   DerivedSurface surface;
   PrintableMeasures before;
   PrintableMeasures after;
-  Eigen::VectorXd thickness; ///< of each point, or infinite [walls], length
-  double cutDepth = 0.0;     ///< length, of the mesh
-  double lean = 0.0;         ///< degrees
-  double factor = 1.0;       ///< of the size
-  double thickened = 0.0;    ///< the longest motion of a point, length, of the mesh
+  Eigen::VectorXd thickness;        ///< of each point, or infinite [walls], length
+  double cutDepth = 0.0;            ///< length, of the mesh
+  double lean = 0.0;                ///< degrees
+  double factor = 1.0;              ///< of the size
+  double thickened = 0.0;           ///< the longest motion of a point, length, of the mesh
+  std::vector<std::string> remarks; ///< of a foot or an angle out of reach, or a deep cut
 };
 
 /// @param mesh  closed, a manifold by edges, facing outward

@@ -1204,10 +1204,10 @@ std::string OfProcess(int process)
 
 std::string FannedRemark(const vtkSurfaceMesh& surface)
 {
-  return surface.FannedPolygons == 0
-    ? std::string()
-    : "cut " + vtkFilterSupport::Count(surface.FannedPolygons, "polygon") +
-      " that cannot be triangulated as fans, the first is cell " +
+  return surface.FannedPolygons == 0 ? std::string()
+                                     : vtkFilterSupport::Count(surface.FannedPolygons, "polygon") +
+      " that cannot be cut into triangles beside each other, such as ones that cross themselves, "
+      "cut as fans around their first corners; the first is cell " +
       std::to_string(surface.FirstFannedPolygon) + OfProcess(surface.FirstFannedProcess);
 }
 
@@ -1215,9 +1215,9 @@ std::string SkippedRemark(const vtkSurfaceMesh& surface)
 {
   return surface.DegenerateTriangles == 0
     ? std::string()
-    : "skipped " + vtkFilterSupport::Count(surface.DegenerateTriangles, "degenerate triangle") +
-      ", the first in cell " + std::to_string(surface.FirstDegenerateCell) +
-      OfProcess(surface.FirstDegenerateProcess);
+    : vtkFilterSupport::Count(surface.DegenerateTriangles, "degenerate triangle") +
+      " (without an area) left out, the first in cell " +
+      std::to_string(surface.FirstDegenerateCell) + OfProcess(surface.FirstDegenerateProcess);
 }
 
 std::vector<std::string> Remarks(const vtkSurfaceMesh& surface)

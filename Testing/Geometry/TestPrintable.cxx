@@ -17,6 +17,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -280,6 +281,12 @@ void TestBall()
   CHECK(large.after.footArea > 0.2 * 4.0 * 0.05, "the foot grows");
 }
 
+void CheckRemark(const PrintableResult& made, const std::string& text)
+{
+  CHECK(made.remarks.size() == 1 && made.remarks[0].find(text) != std::string::npos,
+    "one remark, with '" << text << "': " << made.remarks.size());
+}
+
 void TestLean()
 {
   // A column that leans by 40 degrees over a foot of 1 x 1, five high.
@@ -305,8 +312,18 @@ void TestLean()
   options.stabilityAngle = 0.0;
   CHECK(Meshes::SameBits(MakePrintable(column, options).surface.mesh.P, column.P),
     "nothing is asked for, nothing changes");
+  // The center can move by 2.5 tan 10 at most.
   options.stabilityAngle = 30.0;
-  CHECK_THROWS(std::invalid_argument, MakePrintable(column, options), "StabilityAngle: 30 degrees");
+  const PrintableResult most = MakePrintable(column, options);
+  CHECK_NEAR(most.lean, 10.0, 1e-9, "it leans as far as it may");
+  CHECK_NEAR(most.after.tiltAngle, 10.0, 1e-9, "as much as can be reached");
+  CheckRemark(most, "StabilityAngle: the model can be tilted by");
+  CheckRemark(most, "not 30");
+  // The center 2.5 outside of the foot: a lean that does not make it stand is none.
+  column.P.col(0) += (column.P.col(1).array() + 2.5).matrix();
+  const PrintableResult falls = MakePrintable(column, options);
+  CHECK(falls.lean == 0.0 && Meshes::SameBits(falls.surface.mesh.P, column.P), "it stays");
+  CheckRemark(falls, "falls over even with the largest");
 }
 
 /// Walls of known thickness, measured and made thicker.
@@ -391,15 +408,35 @@ void TestThickResult()
     "thick enough after it was scaled: " << kept.after.thickness);
 }
 
-void TestRefused()
+/// What is out of reach comes as near as it can, with a remark.
+void TestOutOfReach()
 {
+  const TriangleMesh ball = Meshes::Icosphere(4);
   PrintableOptions options;
   options.footArea = 0.9;
-  CHECK_THROWS(std::invalid_argument, MakePrintable(Meshes::Icosphere(3), options), "FootArea");
+  const PrintableResult made = MakePrintable(ball, options);
+  CHECK_NEAR(made.cutDepth, 0.4, 1e-6, "the deepest cut, where the section is largest");
+  // Of a ball of radius 1 the section at .4 has pi (2 .4 - .4^2).
+  CHECK_NEAR(made.after.footArea / (made.factor * made.factor), 0.64 * Pi, 0.01, "its area");
+  CheckRemark(made, "makes a foot of 0.50");
+  CheckRemark(made, "not 0.9");
+  // A wedge on its base: every cut makes the foot smaller.
+  TriangleMesh wedge = Meshes::Box(4, { 1.0, 1.0, 1.0 });
+  for (auto p : wedge.P.rowwise())
+  {
+    p(0) = p(0) * (0.75 - 0.25 * p(1)) + 0.4 * (p(1) + 1.0); // the bounds are wider than its base
+  }
+  options.footArea = 1.0;
+  const PrintableResult uncut = MakePrintable(wedge, options);
+  CHECK(uncut.cutDepth == 0.0 && Meshes::SameBits(uncut.surface.mesh.P, wedge.P),
+    "the largest foot is the one that it has");
+  CheckRemark(uncut, "FootArea");
   options.footArea = 0.0;
-  CHECK_THROWS(
-    std::invalid_argument, MakePrintable(Meshes::Icosphere(3), options), "a point or a line");
+  const PrintableResult onPoint = MakePrintable(ball, options);
+  CHECK(onPoint.lean == 0.0 && Meshes::SameBits(onPoint.surface.mesh.P, ball.P), "it stays");
+  CheckRemark(onPoint, "on a point or a line");
   options.stabilityAngle = 0.0;
+  CHECK(MakePrintable(ball, options).remarks.empty(), "nothing is asked for");
   CHECK_THROWS(
     std::invalid_argument, MakePrintable(Meshes::Box(2, { 1.0, 0.0, 1.0 }), options), "volume");
 }
@@ -429,7 +466,7 @@ int main()
   TestLean();
   TestWalls();
   TestThickResult();
-  TestRefused();
+  TestOutOfReach();
   TestHoles();
   return CheckResult();
 }
