@@ -1204,11 +1204,13 @@ std::string OfProcess(int process)
 
 std::string FannedRemark(const vtkSurfaceMesh& surface)
 {
-  return surface.FannedPolygons == 0 ? std::string()
-                                     : vtkFilterSupport::Count(surface.FannedPolygons, "polygon") +
-      " that cannot be cut into triangles beside each other, such as ones that cross themselves, "
-      "cut as fans around their first corners; the first is cell " +
-      std::to_string(surface.FirstFannedPolygon) + OfProcess(surface.FirstFannedProcess);
+  if (surface.FannedPolygons == 0)
+  {
+    return {};
+  }
+  return vtkFilterSupport::Count(surface.FannedPolygons, "polygon") +
+    " cut as fans, for they cross or fold over themselves; the first is cell " +
+    std::to_string(surface.FirstFannedPolygon) + OfProcess(surface.FirstFannedProcess);
 }
 
 std::string SkippedRemark(const vtkSurfaceMesh& surface)
