@@ -11,9 +11,10 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionManager.h"
-#include "vtkSMTransferFunctionProxy.h"
 #include "vtkSMViewProxy.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -108,18 +109,31 @@ void nameNone(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const Q
   legend->UpdateVTKObjects();
 }
 
+/// The header of vtkSMTransferFunctionProxy, which does this as well, needs one of jsoncpp that
+/// Debian's package of ParaView 6.1 neither has nor depends on.
 void setLogarithmic(vtkSMPVRepresentationProxy* display)
 {
+  constexpr double Least = 1e-4; // of the largest number
   vtkSMProxy* map = MapOf(display);
   if (!map || isLogarithmic(display))
   {
     return;
   }
+  vtkSMPropertyHelper points(map, "RGBPoints"); // number, red, green, blue, one after the other
+  std::vector<double> values = points.GetDoubleArray();
+  const double high = values.size() < 8 ? 0.0 : values[values.size() - 4];
+  const double from = values.size() < 8 ? 0.0 : values[0];
+  if (!(high > 0.0) || !(from < high))
   {
-    SM_SCOPED_TRACE(CallMethod).arg(map).arg("MapControlPointsToLogSpace");
-    vtkSMTransferFunctionProxy::MapControlPointsToLogSpace(map);
+    return;
+  }
+  const double low = std::max(from, Least * high);
+  for (std::size_t k = 0; k + 3 < values.size(); k += 4)
+  {
+    values[k] = low * std::pow(high / low, (values[k] - from) / (high - from));
   }
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", map);
+  points.Set(values.data(), static_cast<unsigned int>(values.size()));
   vtkSMPropertyHelper(map, "UseLogScale").Set(1);
   map->UpdateVTKObjects();
 }
