@@ -54,9 +54,9 @@ class vtkSMSourceProxy;
 class pqLook : public pqPropertyWidget
 {
   Q_OBJECT
-  Q_PROPERTY(QString seen READ
-      seen) ///< for tests: "model", "result, RGB itself, legend", "result, PartId of 9 names",
-            ///< "result, WallThickness log"
+  /// For tests: "model", "result, RGB itself, legend", "result, PartId of 9 names", "result,
+  /// WallThickness log, legend".
+  Q_PROPERTY(QString seen READ seen)
 
 public:
   pqLook(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);

@@ -136,7 +136,7 @@ def check_input(port, name, element):
 
 def check_decorator(name, decorator):
     """One that names what is not there hides the property for good, without a word."""
-    if decorator.get("type") in ("AlwaysInFront", "FitToPanel", "PanelLabel", "UpdateWhileDragging"):
+    if decorator.get("type") in ("AlwaysInFront", "FitToPanel", "PanelLabel", "SmoothShading", "UpdateWhileDragging"):
         return  # of no other property
     if decorator.get("type") == "UpOfView" and "property" not in decorator.attrib:
         return  # where the panel opens
