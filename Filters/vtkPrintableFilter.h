@@ -61,9 +61,9 @@ public:
   /**
    * The least area of the flat foot, as a fraction of the rectangle that the bounds of the model
    * cover on the ground. The model is cut as low as that takes, and not at all where it has such a
-   * foot; higher where it could not stand otherwise. 0: no cut. Range 0..1, default .03. Where a cut
-   * of a fifth of the height is not enough, the foot is the largest one up to there, and a warning
-   * names its area; a warning, too, where the cut takes more than a tenth.
+   * foot; higher where it could not stand otherwise. 0: no cut. Range 0..1, default .03. Where a
+   * cut of a fifth of the height is not enough, the foot is the largest one up to there, and a
+   * warning names its area; a warning, too, where the cut takes more than a tenth.
    */
   vtkSetRangeMacro(FootArea, double, 0.0, 1.0);
   vtkGetMacro(FootArea, double);

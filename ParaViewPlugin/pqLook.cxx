@@ -424,7 +424,7 @@ void pqLook::colorBy(const Color& color, bool on)
 
 void pqLook::frame(vtkSMSourceProxy* source, unsigned int port)
 {
-  constexpr double Larger = 1.5;
+  constexpr double Larger = 1.1;
   constexpr double MuchLarger = 3.0;
   const vtkBoundingBox now = KnownBounds(source, port);
   auto* camera =

@@ -28,7 +28,7 @@
 /// later one fails, ParaView would go on to show the result before it: it shows the next one.
 ///
 /// Where what the view shows is over three times as large or small as what was there before, or
-/// somewhere else, or grows by half and around the camera, the camera is reset: so with a model
+/// somewhere else, or grows by a tenth and around the camera, the camera is reset: so with a model
 /// that Printable makes 80 mm high.
 #ifndef pqLook_h
 #define pqLook_h
