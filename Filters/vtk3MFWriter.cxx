@@ -61,7 +61,7 @@ struct SolidMesh
   std::vector<vtkIdType> InputPoints; // the first of each point
 };
 
-/// @param surface  welded, with all points
+/// @param surface  with all points
 SolidMesh TakeSolid(vtkPolyData* input, const vtkSurfaceMesh& surface)
 {
   std::vector<std::array<int, 3>> triangles;
@@ -117,6 +117,29 @@ SolidMesh TakeSolid(vtkPolyData* input, const vtkSurfaceMesh& surface)
   return solid;
 }
 
+/// Points at one place are one only where the surface would be open else, as along a seam of
+/// textures: parts that touch are apart where the filter Printable took them apart.
+SolidMesh TakeSolid(vtkPolyData* input, std::string& remark)
+{
+  using vtkSurfaceMeshConversion::FromPolyData;
+  constexpr auto All = vtkSurfaceMeshConversion::TakePoints::All;
+  vtkSurfaceMesh surface = FromPolyData(input, false, All);
+  SolidMesh solid = TakeSolid(input, surface);
+  const SphericalStyle::MeshEdges edges(solid.Mesh.F);
+  bool isOpen = false;
+  for (int e = 0; e < edges.GetNumberOfEdges(); ++e)
+  {
+    isOpen = isOpen || edges.GetValence(e) == 1;
+  }
+  if (isOpen)
+  {
+    surface = FromPolyData(input, true, All);
+    solid = TakeSolid(input, surface);
+  }
+  remark = vtkSurfaceMeshConversion::FannedRemark(surface);
+  return solid;
+}
+
 /// What the specification forbids, with numbers and first points; empty where there is nothing.
 std::string Flaws(const SolidMesh& solid)
 {
@@ -149,7 +172,7 @@ std::string Flaws(const SolidMesh& solid)
     }
   }
   SphericalStyle::DiagnosisOptions options;
-  options.weld = false; // it is
+  options.weld = false; // where it has to be, it is
   const SphericalStyle::MeshDiagnosis diagnosis =
     SphericalStyle::Diagnose(solid.Mesh.P, F, options);
   constexpr SphericalStyle::Defect InsideOut = SphericalStyle::Defect::InsideOutComponents;
@@ -278,15 +301,14 @@ void vtk3MFWriter::Execute(vtkPolyData* input)
   {
     throw std::invalid_argument("the model has no faces");
   }
-  const vtkSurfaceMesh surface =
-    vtkSurfaceMeshConversion::FromPolyData(input, true, vtkSurfaceMeshConversion::TakePoints::All);
-  const SolidMesh solid = TakeSolid(input, surface);
+  std::string remark;
+  const SolidMesh solid = TakeSolid(input, remark);
   if (solid.Mesh.F.rows() == 0)
   {
     throw std::invalid_argument("the model has no triangle with three different points");
   }
   this->UpdateProgress(0.2);
-  Warn(this, vtkSurfaceMeshConversion::FannedRemark(surface));
+  Warn(this, remark);
   const std::string flaws = Flaws(solid);
   this->UpdateProgress(0.4);
   const bool single =

@@ -157,6 +157,17 @@ assert flaws(np.concatenate([box, inner]), hollow) == [], "a cavity faces inward
 beside = np.concatenate([box, inner + 2])
 assert flaws(beside, hollow) == ["1 closed part with the inside out, the first at point 9"]
 
+# Parts that touch along an edge stay apart where their points are, as Printable leaves them.
+touching = np.concatenate([box, box + [1, 1, 0]])
+two = [*quads, *([k + 8 for k in quad] for quad in quads)]
+assert flaws(touching, two) == []
+shared = [[{8: 3, 12: 7}.get(k, k) for k in face] for face in two]
+file, told = write(surface(touching, shared))
+assert told == ["1 edge of three or more faces, the first at point 3"] and len(file.points) == 14, told
+parts = ss.printable(surface(touching, shared), foot_area=0, stability_angle=0, place_on_plate=False)
+file, told = write(parts)
+assert told == [] and len(file.points) == 16, (told, len(file.points))
+
 # A triangle without an area, between an edge and the two halves of it, closes the surface.
 tip = np.array([[0.0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2], [1, 0, 0]])
 split = [[0, 2, 4], [4, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 4, 1]]
