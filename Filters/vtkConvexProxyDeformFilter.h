@@ -387,9 +387,9 @@ public:
   ///@{
   /**
    * Split edges longer than .04 diagonals of the bounds before all else, so that a panel of two
-   * triangles can become round: Off, Automatic (default; where a tenth of the area is of triangles
-   * with an edge above a tenth of the diagonal) or On. The output then has more points and cells
-   * than the input (RefinedPoint, OriginalCell), as with vtkSphericalStyleFilter.
+   * triangles can become round: Off, Automatic (default; where a twentieth of the area is of
+   * triangles with an edge above a tenth of the diagonal) or On. The output then has more points
+   * and cells than the input (RefinedPoint, OriginalCell), as with vtkSphericalStyleFilter.
    */
   vtkSetRangeMacro(RefineLongEdges, int, NEVER, ALWAYS);
   vtkGetMacro(RefineLongEdges, int);

@@ -507,7 +507,7 @@ public:
   /**
    * Split edges longer than MaximumEdgeLength before all else, so that a panel of two triangles
    * can become round. The output then has more points and cells than the input (RefinedPoint,
-   * OriginalCell). Automatic (default) splits where a tenth of the area is of triangles with an
+   * OriginalCell). Automatic (default) splits where a twentieth of the area is of triangles with an
    * edge above a tenth of the diagonal of the bounds.
    */
   vtkSetRangeMacro(RefineLongEdges, int, NEVER, ALWAYS);

@@ -612,7 +612,7 @@ void BecomesRound(Checker& check)
   }
 }
 
-/// Where a tenth of the area has edges above a tenth of the diagonal, Automatic is On, else Off.
+/// Where a twentieth of the area has edges above a tenth of the diagonal, Automatic is On, else Off.
 void Automatic(Checker& check)
 {
   const auto outputs = [](vtkPolyData* surface, int refine)
@@ -628,7 +628,7 @@ void Automatic(Checker& check)
   const Surface ball = MakeEllipsoid({ 1.0, 1.0, 1.0 }, Faces::Triangles, 48, 47);
   const double areaOfBall = 4.0 * vtkMath::Pi();
   for (const auto& [share, isCoarse] :
-    { std::pair(0.0, false), std::pair(0.08, false), std::pair(0.12, true), std::pair(1.0, true) })
+    { std::pair(0.0, false), std::pair(0.04, false), std::pair(0.06, true), std::pair(1.0, true) })
   {
     check.About("automatic, coarse share " + vtkVariant(share).ToString());
     const double side = std::sqrt(share < 1.0 ? areaOfBall * share / (1.0 - share) : 1.0);

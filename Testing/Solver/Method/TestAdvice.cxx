@@ -277,7 +277,7 @@ void TestOrder()
   expect("RefineLongEdges On: 55 % of the area has edges above a tenth of the diagonal");
   choices.refine = false;
   expect("MaximumEdgeLength 0.04: 55 % of the area has edges above a tenth of the diagonal");
-  surface.longEdgeShare = 0.05;
+  surface.longEdgeShare = 0.04;
   surface.curvature = 1.5;
   expect("NormalBlend 0.6: 46 % of the surface faces away from the center");
   result.facingAwayShare = 0.2;
