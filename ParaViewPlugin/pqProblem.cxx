@@ -296,13 +296,15 @@ QString pqProblem::problemOfInput() const
   }
   if (data->GetNumberOfPoints() == 0)
   {
-    return tr("The input is empty: it has no points.");
+    return tr("The input is empty: it has no points. If it comes from a file, the reader found "
+              "nothing in it that it knows: its format may be another one than its name says.");
   }
   if (!this->AnyDataSet && data->GetNumberOfCells() == 0)
   {
     return tr(
       "This is a point cloud: it has no faces, so there is no surface to work on. Make a surface "
-      "of it first, for instance with Delaunay 3D and Extract Surface.");
+      "of it first, for instance with Delaunay 3D and Extract Surface. An Alpha somewhat above the "
+      "distance between points keeps hollows open; with 0 they are closed.");
   }
   return {};
 }
