@@ -612,7 +612,8 @@ void BecomesRound(Checker& check)
   }
 }
 
-/// Where a twentieth of the area has edges above a tenth of the diagonal, Automatic is On, else Off.
+/// Where a twentieth of the area has edges above a tenth of the diagonal, Automatic is On, else
+/// Off.
 void Automatic(Checker& check)
 {
   const auto outputs = [](vtkPolyData* surface, int refine)
