@@ -1274,6 +1274,28 @@ vtkDataArray* FindPointArray(
   return attribute >= 0 ? arrays->GetAttribute(attribute) : nullptr;
 }
 
+namespace
+{
+std::string RangeOf(const ArrayRule& rule)
+{
+  std::ostringstream range;
+  range << "it must ";
+  if (std::isfinite(rule.Maximum))
+  {
+    range << "lie in " << rule.Minimum << ".." << rule.Maximum;
+  }
+  else
+  {
+    range << "be finite";
+    if (std::isfinite(rule.Minimum))
+    {
+      range << " and " << rule.Minimum << " or more";
+    }
+  }
+  return range.str();
+}
+}
+
 Points GatherNormals(vtkInformation* wanted, vtkPolyData* input, const vtkSurfaceMesh& surface)
 {
   Points normals = GatherPointArray(wanted, input, surface, NormalsRule);
@@ -1328,19 +1350,7 @@ Points GatherPointArray(
     {
       if (!std::isfinite(value[k]) || value[k] < rule.Minimum || value[k] > rule.Maximum)
       {
-        message << "is " << value[k] << " at point " << i << "; ";
-        if (std::isfinite(rule.Maximum))
-        {
-          message << "it must lie in " << rule.Minimum << ".." << rule.Maximum;
-        }
-        else if (std::isfinite(rule.Minimum))
-        {
-          message << "it must be finite and " << rule.Minimum << " or more";
-        }
-        else
-        {
-          message << "it must be finite";
-        }
+        message << "is " << value[k] << " at point " << i << "; " << RangeOf(rule);
         Refuse(message);
       }
       sum(to, k) += value[k];
