@@ -209,8 +209,7 @@ bool FindShear(const SupportPolygon& support, const Eigen::Vector2d& center, dou
   double angle, Eigen::Vector2d& shear)
 {
   Eigen::Vector2d place;
-  double most = 0.0;
-  const bool isFound = NearestStablePlace(support, center, height, angle, place, most);
+  const bool isFound = NearestStablePlace(support, center, height, angle, place);
   shear = (place - center) / height;
   return isFound && std::atan(shear.norm()) <= MostLean * Pi / 180.0;
 }

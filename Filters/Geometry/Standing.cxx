@@ -104,10 +104,9 @@ double TiltAngle(const SupportPolygon& support, const Eigen::Vector2d& center, d
 }
 
 bool NearestStablePlace(const SupportPolygon& support, const Eigen::Vector2d& center, double height,
-  double angle, Eigen::Vector2d& place, double& most)
+  double angle, Eigen::Vector2d& place)
 {
   place = center;
-  most = -90.0;
   if (support.size() < 3)
   {
     return false;
@@ -119,14 +118,6 @@ bool NearestStablePlace(const SupportPolygon& support, const Eigen::Vector2d& ce
   const SupportPolygon inside = Inset(support, height * std::tan(angle / Degrees));
   if (inside.empty())
   {
-    double low = 0.0;
-    double high = angle;
-    for (int step = 0; step < 60; ++step)
-    {
-      const double middle = 0.5 * (low + high);
-      (Inset(support, height * std::tan(middle / Degrees)).empty() ? high : low) = middle;
-    }
-    most = low;
     return false;
   }
   double nearest = std::numeric_limits<double>::infinity();

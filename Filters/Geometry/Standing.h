@@ -27,9 +27,9 @@ SupportPolygon FindSupport(const Points& P, int axis, double tolerance);
 double TiltAngle(const SupportPolygon& support, const Eigen::Vector2d& center, double height);
 
 /// The place nearest to `center` at which the tilt angle is `angle` degrees or more.
-/// @return false where there is none: `most` is the largest angle that there is
+/// @return false where there is none
 bool NearestStablePlace(const SupportPolygon& support, const Eigen::Vector2d& center, double height,
-  double angle, Eigen::Vector2d& place, double& most);
+  double angle, Eigen::Vector2d& place);
 } // namespace SphericalStyle
 
 #endif
