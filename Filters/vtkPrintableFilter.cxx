@@ -6,6 +6,7 @@
 #include "ManifoldSurface.h"
 #include "Orientation.h"
 #include "Printable.h"
+#include "SurfaceMeasures.h"
 #include "vtkFilterSupport.h"
 #include "vtkSurfaceMeshConversion.h"
 
@@ -189,6 +190,56 @@ void FillOutput(vtkPolyData* output, vtkPolyData* input, const ClosedInput& clos
   output->GetFieldData()->ShallowCopy(input->GetFieldData());
 }
 
+/// Whether points at one place have one normal, so that the surface has no creases.
+bool AreSmooth(vtkDataArray* normals, const vtkSurfaceMesh& surface)
+{
+  constexpr double Alike = 0.99; // cosine: 8 degrees
+  const std::vector<vtkIdType> first = surface.FirstInputPoints();
+  for (vtkIdType i = 0; i < static_cast<vtkIdType>(surface.MeshPoint.size()); ++i)
+  {
+    const int to = surface.MeshPoint[i];
+    if (to >= 0 && first[to] != i)
+    {
+      Eigen::Vector3d own, other;
+      normals->GetTuple(i, own.data());
+      normals->GetTuple(first[to], other.data());
+      if (!(own.stableNormalized().dot(other.stableNormalized()) >= Alike))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Those of the surface without its foot, which stays sharp at its border that way.
+/// @param isOfModel  of each triangle
+void AddNormals(vtkPolyData* output, vtkDataArray* before, const TriangleMesh& mesh,
+  const std::vector<char>& isOfModel)
+{
+  SphericalStyle::Triangles F(mesh.F.rows(), 3);
+  Eigen::Index kept = 0;
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+  {
+    if (isOfModel[f])
+    {
+      F.row(kept++) = mesh.F.row(f);
+    }
+  }
+  F.conservativeResize(kept, 3);
+  const Points ofModel = SphericalStyle::PointNormals(mesh.P, F);
+  const Points all = SphericalStyle::PointNormals(mesh.P, mesh.F);
+  const auto normals = vtkSmartPointer<vtkDataArray>::Take(before->NewInstance());
+  normals->SetName(before->GetName() ? before->GetName() : "Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(mesh.P.rows());
+  for (Eigen::Index i = 0; i < mesh.P.rows(); ++i)
+  {
+    normals->SetTuple(i, (ofModel.row(i).isZero(0.0) ? all : ofModel).row(i).data());
+  }
+  output->GetPointData()->SetNormals(normals);
+}
+
 /// NaN where there is no other side.
 void AddThickness(vtkPolyData* output, const Eigen::VectorXd& thickness, int type)
 {
@@ -350,6 +401,16 @@ int vtkPrintableFilter::Execute(
   }
   const int type = vtkSurfaceMeshConversion::OutputPointType(input, this->OutputPointsPrecision);
   FillOutput(output, input, closed, result.surface, type);
+  vtkDataArray* normals = input->GetPointData()->GetNormals();
+  if (normals && AreSmooth(normals, surface))
+  {
+    std::vector<char> isOfModel;
+    for (const int triangle : result.surface.triangles)
+    {
+      isOfModel.push_back(triangle >= 0 && closed.InputCells[triangle] >= 0 ? 1 : 0);
+    }
+    AddNormals(output, normals, result.surface.mesh, isOfModel);
+  }
   AddThickness(output, result.thickness, type);
   Warn(this, ThinRemark(result.thickness, this->MinimumThickness));
   for (const std::string& remark : result.remarks)

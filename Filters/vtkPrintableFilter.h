@@ -19,9 +19,10 @@
  * Output port 0: vtkPolyData, a closed surface of triangles that face outward. Arrays of points are
  * interpolated where edges are cut, and at points in filled holes those of the nearest point;
  * arrays of cells are those of the cell that was cut, and 0 on the foot and in filled holes.
- * Normals do not come out. The cell array Foot is 1 on new triangles and 0 elsewhere. The point
- * array WallThickness is the distance to the other side of the wall, in the unit of the result, and
- * NaN where there is none.
+ * Normals are recomputed, except that a surface with creases, where points at one place have
+ * different ones, comes out without any. The cell array Foot is 1 on new triangles and 0 elsewhere.
+ * The point array WallThickness is the distance to the other side of the wall, in the unit of the
+ * result, and NaN where there is none.
  *
  * Output port 1: vtkTable, what was changed: Name, Before, After and Unit. The rows are FootLevel
  * (the lowest level along UpAxis), FootArea (of what lies on it), Height, Volume, CenterOfMassX, Y

@@ -67,12 +67,15 @@ bool HasOutput(vtkSMProxy* proxy)
   return data && data->GetNumberOfElements(vtkDataObject::POINT) > 0;
 }
 
+vtkBoundingBox BoundsOf(vtkSMSourceProxy* source, unsigned int port)
+{
+  return source ? vtkBoundingBox(source->GetDataInformation(port)->GetBounds()) : vtkBoundingBox();
+}
+
 /// Of an output that is there; asking for it executes nothing.
 vtkBoundingBox KnownBounds(vtkSMSourceProxy* source, unsigned int port)
 {
-  return source && pqExecutedSourceOf(source)
-    ? vtkBoundingBox(source->GetDataInformation(port)->GetBounds())
-    : vtkBoundingBox();
+  return source && pqExecutedSourceOf(source) ? BoundsOf(source, port) : vtkBoundingBox();
 }
 
 /// Whether the camera is among the points of a box.
@@ -135,10 +138,7 @@ pqLook::pqLook(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parent
       qOverload<pqPipelineSource*>(&pqPipelineSource::dataUpdated), this, &pqLook::refresh,
       Qt::QueuedConnection);
   }
-  const vtkSMPropertyHelper input(smproxy, "Input");
-  this->Framed = pqExecutedSourceOf(smproxy)
-    ? KnownBounds(vtkSMSourceProxy::SafeDownCast(smproxy), 0)
-    : KnownBounds(vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()), input.GetOutputPort());
+  this->Framed = KnownBounds(vtkSMSourceProxy::SafeDownCast(smproxy), 0);
   this->refresh();
 }
 
@@ -190,6 +190,11 @@ void pqLook::showFirst(pqProxy* applied)
   if (display && HasPoints(this->proxy()))
   {
     this->colorFirst(display);
+    const vtkSMPropertyHelper input(this->proxy(), "Input");
+    this->Framed =
+      KnownBounds(vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()), input.GetOutputPort());
+    // The panel says that it was executed only after this.
+    this->frame(BoundsOf(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0));
   }
   else
   {
@@ -364,13 +369,13 @@ void pqLook::showModel(bool show)
       known ? known : controller->Show(source, input.GetOutputPort(), this->view()->getViewProxy());
     SetVisible(this->Shown, true);
     SetVisible(this->Hidden, false);
-    this->frame(source, input.GetOutputPort());
+    this->frame(KnownBounds(source, input.GetOutputPort()));
   }
   else
   {
     SetVisible(this->Hidden, true);
     SetVisible(this->Shown, this->WasShown);
-    this->frame(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0);
+    this->frame(KnownBounds(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0));
     this->Hidden = nullptr;
     this->Shown = nullptr;
   }
@@ -422,11 +427,10 @@ void pqLook::colorBy(const Color& color, bool on)
   this->refresh();
 }
 
-void pqLook::frame(vtkSMSourceProxy* source, unsigned int port)
+void pqLook::frame(const vtkBoundingBox& now)
 {
   constexpr double Larger = 1.1;
   constexpr double MuchLarger = 3.0;
-  const vtkBoundingBox now = KnownBounds(source, port);
   auto* camera =
     vtkSMRenderViewProxy::SafeDownCast(this->view() ? this->view()->getViewProxy() : nullptr);
   if (!now.IsValid() || !camera)
@@ -445,6 +449,7 @@ void pqLook::frame(vtkSMSourceProxy* source, unsigned int port)
     if (size > MuchLarger * before || before > MuchLarger * size || comesAround ||
       vtkMath::Distance2BetweenPoints(from, to) > before * before)
     {
+      camera->Update(); // or it would look at what was shown before
       camera->ResetCamera();
     }
   }
@@ -457,7 +462,7 @@ void pqLook::refresh()
   this->colorAfterFailure();
   if (IsVisible(this->result()))
   {
-    this->frame(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0);
+    this->frame(KnownBounds(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0));
   }
   this->Observers.clear();
   vtkSMPVRepresentationProxy* display = this->result();

@@ -88,7 +88,7 @@ private:
   void showAfterFailure();
   void fitColors();
   void colorBy(const Color& color, bool on);
-  void frame(vtkSMSourceProxy* source, unsigned int port);
+  void frame(const vtkBoundingBox& now);
   void refresh();
   void updateButtons();
   vtkSMPVRepresentationProxy* result() const;

@@ -7,8 +7,10 @@
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
+#include "vtkCubeSource.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
 #include "vtkPrintableFilter.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
@@ -88,6 +90,35 @@ void CheckArrays(Checker& check)
   }
   check(flat > 10 && flat < output->GetNumberOfCells(), "the foot is marked");
   check(good, "arrays of cells are those of the cells, 0 on the foot");
+}
+
+/// A toy that is shaded smoothly stays so, and a box with its edges does not become smeared.
+void CheckNormals(Checker& check)
+{
+  const Surface ball = MakeEllipsoid({ 1.0, 1.0, 1.0 }, Faces::Triangles, 48, 25);
+  ball->GetPointData()->SetNormals(
+    MakeArray("N", ball, 3, [&ball](vtkIdType i, int k) { return ball->GetPoint(i)[k]; }));
+  Printed printed(ball);
+  printed.Get()->SetHeight(10.0);
+  printed.Get()->PlaceOnPlateOn();
+  vtkPolyData* output = printed.Output();
+  vtkDataArray* normals = output->GetPointData()->GetNormals();
+  check(normals && std::string(normals->GetName()) == "N", "normals come out");
+  const double radius = 0.5 * output->GetBounds()[1] - 0.5 * output->GetBounds()[0];
+  double worst = 1.0;
+  for (vtkIdType i = 0; normals && i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3], n[3];
+    output->GetPoint(i, p);
+    normals->GetTuple(i, n);
+    p[2] -= 10.0 - radius;
+    worst = std::min(worst, vtkMath::Dot(p, n) / vtkMath::Norm(p));
+  }
+  check(worst > 0.99, "they are those of the ball, at its foot, too: " + std::to_string(worst));
+  vtkNew<vtkCubeSource> cube;
+  cube->Update();
+  Printed edged(cube->GetOutput());
+  check(!edged.Output()->GetPointData()->GetNormals(), "none where there are creases");
 }
 
 void CheckPlaces(Checker& check)
@@ -274,6 +305,7 @@ int TestPrintableFilter(int, char*[])
 {
   Checker check;
   CheckArrays(check);
+  CheckNormals(check);
   CheckPlaces(check);
   CheckWalls(check);
   CheckMessages(check);
