@@ -60,7 +60,7 @@ public:
 private:
   bool IsMade = false; // not while it is being made, nor where that has thrown
   Key MadeFor{};
-  Value Made = {};
+  Value Made = Value(); // GCC 16 warns of {}
   int Version = 0;
 };
 
