@@ -16,8 +16,9 @@ def printable(mesh, *, foot_area=0.03, stability_angle=10.0, minimum_thickness=0
     stability_angle: by how many degrees it can be tilted before it falls over. For that the foot is made larger and the
     mesh leans, up to 10 degrees. 0: neither.
 
-    minimum_thickness: thinner walls are made as thick as this, in the unit of the result. 0: they stay as they are. A
-    warning says so where they cannot be.
+    minimum_thickness: thinner walls are made as thick as this, in the unit of the result. 0: they stay as they are.
+
+    A foot, an angle or a wall that cannot be had comes as near as it can, with a warning.
 
     volume or height: what it is scaled to, in its own unit, which programs for printers take as millimeters; both 0: it
     keeps its volume.
