@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs in ParaView's window, beside a player: makes a ball of few triangles without normals, the same with normals, a
-cube without normals, and a surface with a cell of points that are not there. The ball is then the active one."""
+cube of small triangles without normals, and a surface with a cell of points that are not there. The ball is then the active one."""
 from paraview import simple
 
 BALL = """
@@ -15,8 +15,13 @@ CUBE = """
 import vtk
 source = vtk.vtkPlatonicSolidSource()
 source.SetSolidTypeToCube()
-source.Update()
-self.GetOutput().ShallowCopy(source.GetOutput())
+triangles = vtk.vtkTriangleFilter()
+triangles.SetInputConnection(source.GetOutputPort())
+split = vtk.vtkLinearSubdivisionFilter()
+split.SetInputConnection(triangles.GetOutputPort())
+split.SetNumberOfSubdivisions(3)
+split.Update()
+self.GetOutput().ShallowCopy(split.GetOutput())
 self.GetOutput().GetCellData().Initialize()
 """
 BROKEN = BALL + """
