@@ -449,7 +449,6 @@ void pqLook::frame(const vtkBoundingBox& now)
     if (size > MuchLarger * before || before > MuchLarger * size || comesAround ||
       vtkMath::Distance2BetweenPoints(from, to) > before * before)
     {
-      camera->Update(); // or it would look at what was shown before
       camera->ResetCamera();
     }
   }
