@@ -212,7 +212,8 @@ bool AreSmooth(vtkDataArray* normals, const vtkSurfaceMesh& surface)
   return true;
 }
 
-/// Those of the surface without its foot, which stays sharp at its border that way.
+/// Those of the surface without its foot, so that it is shaded as before down to the foot's border.
+/// The foot itself is shaded as what is above its border.
 /// @param isOfModel  of each triangle
 void AddNormals(vtkPolyData* output, vtkDataArray* before, const TriangleMesh& mesh,
   const std::vector<char>& isOfModel)

@@ -1209,7 +1209,7 @@ std::string FannedRemark(const vtkSurfaceMesh& surface)
     return {};
   }
   return vtkFilterSupport::Count(surface.FannedPolygons, "polygon") +
-    " cut as fans, for they cross or fold over themselves; the first is cell " +
+    " with an outline that crosses or folds over itself, cut as fans; the first is cell " +
     std::to_string(surface.FirstFannedPolygon) + OfProcess(surface.FirstFannedProcess);
 }
 
