@@ -11,7 +11,9 @@
 #include "vtkZipArchive.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -206,9 +208,49 @@ void AppendDigits(std::string& text, Number number)
   text.append(digits.data(), end);
 }
 
+/// The axis that vtkPrintableFilter says is up; z without it.
+int UpAxisOf(vtkPolyData* input)
+{
+  constexpr int Z = 2;
+  vtkDataArray* axis = input->GetFieldData()->GetArray("UpAxis");
+  const double value =
+    axis && axis->GetNumberOfValues() == 1 ? axis->GetComponent(0, 0) : static_cast<double>(Z);
+  return value == 0.0 || value == 1.0 ? static_cast<int>(value) : Z;
+}
+
+/// The attribute that turns the axis up to z and puts the model onto the plate, as PlaceOnPlate of
+/// vtkPrintableFilter does; empty where z is up already. Rows are multiplied from the left: those
+/// of the axes, then the translation.
+std::string TransformText(const Points& P, int upAxis)
+{
+  if (upAxis == 2)
+  {
+    return {};
+  }
+  Eigen::Matrix<double, 4, 3> transform = Eigen::Matrix<double, 4, 3>::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    const int axis = (upAxis + 1 + k) % 3;
+    const double low = P.col(axis).minCoeff();
+    transform(axis, k) = 1.0;
+    transform(3, k) = k == 2 ? -low : -0.5 * low - 0.5 * P.col(axis).maxCoeff();
+  }
+  std::string text;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      text += text.empty() ? " transform=\"" : " ";
+      AppendDigits(text, transform(i, k) + 0.0); // no -0
+    }
+  }
+  return text + "\"";
+}
+
 /// 3D/3dmodel.model.
 /// @param single  whether the coordinates are of single precision, which has fewer digits
-std::string ModelText(const SphericalStyle::TriangleMesh& mesh, bool single, const char* unit)
+std::string ModelText(
+  const SphericalStyle::TriangleMesh& mesh, bool single, const char* unit, int upAxis)
 {
   std::string text = R"(<?xml version="1.0" encoding="UTF-8"?>
 <model xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02" xml:lang="en-US" unit=")";
@@ -253,7 +295,9 @@ std::string ModelText(const SphericalStyle::TriangleMesh& mesh, bool single, con
 </object>
 </resources>
 <build>
-<item objectid="1"/>
+<item objectid="1")";
+  text += TransformText(mesh.P, upAxis);
+  text += R"(/>
 </build>
 </model>
 )";
@@ -319,7 +363,8 @@ void vtk3MFWriter::Execute(vtkPolyData* input)
       vtkZipArchive archive;
       archive.Add("[Content_Types].xml", ContentTypes);
       archive.Add("_rels/.rels", Relationships);
-      archive.Add("3D/3dmodel.model", ModelText(solid.Mesh, single, UnitNames[this->Unit]));
+      archive.Add(
+        "3D/3dmodel.model", ModelText(solid.Mesh, single, UnitNames[this->Unit], UpAxisOf(input)));
       this->UpdateProgress(0.9);
       archive.Write(this->FileName);
     });

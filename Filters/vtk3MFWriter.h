@@ -11,8 +11,11 @@
  * Input: vtkPolyData, the model. Its triangles are written (polygons and strips are cut), also
  * those without an area, since the surface would be open without them; not those with a point
  * twice. Coincident points are one, and points of no triangle are left out. Coordinates are those
- * of the model: nothing is moved, turned or scaled, and their digits give back every bit of single
- * and double precision.
+ * of the model, and their digits give back every bit of single and double precision.
+ *
+ * Programs for printers have z up. Where vtkPrintableFilter says that another axis of the model
+ * points up (its field array UpAxis), the file places the model by a transform: z up, the lowest
+ * point on z = 0, the middle of the bounds at x = y = 0. Otherwise it stays where it is.
  *
  * A slicer wants a closed surface whose faces are outward, as vtkPrintableFilter makes it. Where it
  * has border edges, edges of three or more faces, faces that disagree on the outside, or closed

@@ -413,6 +413,7 @@ int vtkPrintableFilter::Execute(
     AddNormals(output, normals, result.surface.mesh, isOfModel);
   }
   AddThickness(output, result.thickness, type);
+  AddCount(output->GetFieldData(), "UpAxis", this->PlaceOnPlate ? Z_AXIS : this->UpAxis);
   Warn(this, ThinRemark(result.thickness, this->MinimumThickness));
   for (const std::string& remark : result.remarks)
   {

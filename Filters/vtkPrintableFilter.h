@@ -22,7 +22,8 @@
  * Normals are recomputed, except that a surface with creases, where points at one place have
  * different ones, comes out without any. The cell array Foot is 1 on new triangles and 0 elsewhere.
  * The point array WallThickness is the distance to the other side of the wall, in the unit of the
- * result, and NaN where there is none.
+ * result, and NaN where there is none. The field array UpAxis (int) is the axis that points up in
+ * the result; vtk3MFWriter puts the model onto the plate by it.
  *
  * Output port 1: vtkTable, what was changed: Name, Before, After and Unit. The rows are FootLevel
  * (the lowest level along UpAxis), FootArea (of what lies on it), Height, Volume, CenterOfMassX, Y
@@ -125,7 +126,8 @@ public:
   ///@{
   /**
    * Turn the result so that z points up, as programs for printers have it, with the foot on z = 0
-   * and the middle of the bounds at x = y = 0. Default off: it stays where it is.
+   * and the middle of the bounds at x = y = 0. Default off: it stays where it is. vtk3MFWriter does
+   * the same to what it writes, so it is for other formats.
    */
   vtkSetMacro(PlaceOnPlate, bool);
   vtkGetMacro(PlaceOnPlate, bool);

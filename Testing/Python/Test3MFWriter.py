@@ -249,6 +249,24 @@ with warnings.catch_warnings():
         assert same_bits(file.points, SurfaceTesting.points(toy))
         z = np.array(file.points, float)[:, 2]
         assert z.min() == 0 and abs(z.max() - 80) < 1e-5, (z.min(), z.max())
+        # What stays where it was is placed by the file: as the filter places it.
+        for up in "XYZ":
+            filters = [ss.vtkPrintableFilter() for _ in range(2)]
+            for place, printable in enumerate(filters):
+                printable.SetInputData(creature)
+                printable.SetUpAxis("XYZ".index(up))
+                printable.SetHeight(80)
+                printable.SetPlaceOnPlate(place)
+                printable.Update()
+            stays, _ = write(filters[0].GetOutput())
+            placed, _ = write(filters[1].GetOutput())
+            assert same_bits(stays.points, SurfaceTesting.points(filters[0].GetOutput()))
+            assert placed.transform == [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]], placed.transform
+            if up == "Z":
+                assert stays.transform == placed.transform, "it stands already"
+            else:
+                difference = np.abs(np.array(stays.placed()) - np.array(placed.placed())).max()
+                assert difference < 1e-5 and abs(np.linalg.det(stays.transform[:3]) - 1) == 0, difference
 with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
     ss.write(folder / "open.3mf", surface(box, quads[1:]))

@@ -16,6 +16,12 @@ class File(NamedTuple):
     unit: str
     points: list  #: of three texts each
     triangles: list  #: of three numbers each
+    transform: list  #: four rows of three numbers that stand after the point with a 1, or the identity
+
+    def placed(self):
+        """The points as the file places them."""
+        return [[sum(x * row[k] for x, row in zip([*map(float, point), 1], self.transform)) for k in range(3)]
+                for point in self.points]
 
 
 def children(element, *names):
@@ -53,6 +59,9 @@ def load(path):
     assert metadata.attrib == {"name": "Application"} and metadata.text == "SphericalStyle"
     item, = children(build, "item")
     object_, = children(resources, "object")
+    transform = item.attrib.pop("transform", "1 0 0 0 1 0 0 0 1 0 0 0").split(" ")
+    assert len(transform) == 12 and all(NUMBER.fullmatch(text) for text in transform), transform
+    transform = [list(map(float, transform[k:k + 3])) for k in (0, 3, 6, 9)]
     assert item.attrib == {"objectid": "1"} and object_.attrib == {"id": "1", "type": "model"}
     mesh, = children(object_, "mesh")
     vertices, triangles = children(mesh, "vertices", "triangles")
@@ -62,4 +71,4 @@ def load(path):
     corners = [list(map(int, attributes(triangle, INDEX, ["v1", "v2", "v3"]))) for triangle in triangles]
     assert all(len(set(triangle)) == 3 and max(triangle) < len(points) for triangle in corners)
     assert {k for triangle in corners for k in triangle} == set(range(len(points))), "points of no triangle"
-    return File(model.get("unit"), points, corners)
+    return File(model.get("unit"), points, corners, transform)
