@@ -1209,7 +1209,8 @@ std::string FannedRemark(const vtkSurfaceMesh& surface)
     return {};
   }
   return vtkFilterSupport::Count(surface.FannedPolygons, "polygon") +
-    " with an outline that crosses or folds over itself, cut as fans; the first is cell " +
+    " with an outline that crosses or folds over itself, cut as fans, which is harmless where "
+    "they are small; the first is cell " +
     std::to_string(surface.FirstFannedPolygon) + OfProcess(surface.FirstFannedProcess);
 }
 
@@ -1218,7 +1219,7 @@ std::string SkippedRemark(const vtkSurfaceMesh& surface)
   return surface.DegenerateTriangles == 0
     ? std::string()
     : vtkFilterSupport::Count(surface.DegenerateTriangles, "degenerate triangle") +
-      " (without an area) left out, the first in cell " +
+      " (without an area) left out, which is harmless, the first in cell " +
       std::to_string(surface.FirstDegenerateCell) + OfProcess(surface.FirstDegenerateProcess);
 }
 
