@@ -20,6 +20,8 @@ namespace SphericalStyle
 {
 namespace
 {
+/// Volume over area^1.5 up to which a surface is flat: rounding of single precision gives it 1e-8.
+constexpr double FlatSheet = 1e-6;
 /// Share of the height within which points lie on the ground.
 constexpr double OnGround = 1e-6;
 /// How often a cut that runs through itself is tried somewhat higher, and how much, a share of the
@@ -382,9 +384,12 @@ PrintableResult MakePrintable(const TriangleMesh& mesh, const PrintableOptions& 
 {
   PrintableResult result;
   result.before = Measure(mesh, options.axis);
-  if (!(result.before.volume > 0.0) || !(result.before.height > 0.0))
+  const double area = TriangleAreas(mesh.P, mesh.F).sum();
+  if (!(result.before.volume > FlatSheet * area * std::sqrt(area)) || !(result.before.height > 0.0))
   {
-    throw std::invalid_argument("The surface encloses no volume, so there is nothing to print");
+    throw std::invalid_argument("The surface is flat and encloses no volume, so there is nothing "
+                                "to print. Give it a thickness first, for instance with Linear "
+                                "Extrusion");
   }
   result.before.thickness = FindWalls(mesh, options.threads).thickness.minCoeff();
   StandAndScale(mesh, options, false, result);

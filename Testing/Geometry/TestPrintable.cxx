@@ -437,8 +437,13 @@ void TestOutOfReach()
   CheckRemark(onPoint, "on a point or a line");
   options.stabilityAngle = 0.0;
   CHECK(MakePrintable(ball, options).remarks.empty(), "nothing is asked for");
-  CHECK_THROWS(
-    std::invalid_argument, MakePrintable(Meshes::Box(2, { 1.0, 0.0, 1.0 }), options), "volume");
+  for (const double thickness : { 0.0, 1e-7 }) // of a sheet in space, rounding
+  {
+    CHECK_THROWS(std::invalid_argument,
+      MakePrintable(Meshes::Box(2, { 1.0, thickness, 1.0 }), options), "volume");
+  }
+  CHECK(MakePrintable(Meshes::Box(2, { 1.0, 1e-4, 1.0 }), options).surface.mesh.F.rows() > 0,
+    "foil is no sheet");
 }
 
 void TestHoles()
