@@ -618,10 +618,11 @@ public:
 
   /**
    * The one change that would improve the result of the last execution most, in one line, from what
-   * was measured: "SphericalWeighting Cotangent: 53 % of the triangles are obtuse". Where there is
-   * none and the model has time steps but no rest pose, how to use one: text without a property and
-   * a value before it. Else empty, and so with ReproduceThesis and from a change of a property to
-   * the next execution. Nothing is changed by itself.
+   * was measured: "SphericalWeighting Cotangent: 53 % of the triangles are obtuse". For the
+   * property Input it names a filter to put in front: "Input LoopSubdivision: ...". Text without a
+   * property and a value before it where no value helps, and where there is no other advice and the
+   * model has time steps but no rest pose: how to use one. Else empty, and so with ReproduceThesis
+   * and from a change of a property to the next execution. Nothing is changed by itself.
    */
   const char* GetAdvice();
 

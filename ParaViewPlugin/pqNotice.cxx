@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqNotice.h"
 
+#include "pqFilterInFront.h"
 #include "pqNote.h"
 #include "pqShownValue.h"
 #include "vtkCommand.h"
@@ -20,15 +21,22 @@ pqNotice::pqNotice(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* pa
   , Title(smgroup->GetXMLLabel())
   , Note(new pqNote(this))
   , Button(new QPushButton(this))
+  , SubdivideButton(new QPushButton(tr("Put Loop Subdivision in front"), this))
 {
   this->setShowLabel(false);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(this->Note);
   layout->addWidget(this->Button, 0, Qt::AlignLeft);
+  layout->addWidget(this->SubdivideButton, 0, Qt::AlignLeft);
   this->Note->setToolTip(pqPropertyWidget::getTooltip(this->Text));
   this->Button->setObjectName("Follow");
   QObject::connect(this->Button, &QPushButton::clicked, this, &pqNotice::follow);
+  this->SubdivideButton->setObjectName("Subdivide");
+  this->SubdivideButton->setToolTip(
+    tr("Makes four triangles of each, on a smooth surface. Undo takes it back."));
+  QObject::connect(
+    this->SubdivideButton, &QPushButton::clicked, this, &pqNotice::subdivide, Qt::QueuedConnection);
   this->Observers.add(this->Text, vtkCommand::ModifiedEvent, this, &pqNotice::updateText);
   this->updateText();
 }
@@ -38,11 +46,16 @@ void pqNotice::updateText()
   static const QRegularExpression advice("^(\\w+) (\\S+): (.*)$");
   QString text = vtkSMPropertyHelper(this->Text).GetAsString();
   const QRegularExpressionMatch match = advice.match(text);
-  this->Advised =
-    match.hasMatch() ? this->proxy()->GetProperty(match.captured(1).toUtf8()) : nullptr;
-  if (this->Advised)
+  const bool subdivides = match.captured(1) == "Input" && match.captured(2) == "LoopSubdivision";
+  this->Advised = match.hasMatch() && !subdivides
+    ? this->proxy()->GetProperty(match.captured(1).toUtf8())
+    : nullptr;
+  if (this->Advised || subdivides)
   {
     text = match.captured(3);
+  }
+  if (this->Advised)
+  {
     this->Value = pqShownValue::fromText(this->Advised, match.captured(2));
     this->Button->setText(
       tr("Set %1 to %2")
@@ -50,6 +63,7 @@ void pqNotice::updateText()
     this->Button->setToolTip(tr("Follows the advice and applies it. Undo takes it back."));
   }
   this->Button->setVisible(this->Advised != nullptr);
+  this->SubdivideButton->setVisible(subdivides);
   this->Note->setText(
     QString("<b>%1:</b> %2")
       .arg(this->Title, pqShownValue::inWordsOfPanel(text, this->proxy()).toHtmlEscaped()));
@@ -61,4 +75,11 @@ void pqNotice::follow()
   {
     pqShownValue::apply(this, this->Advised, this->Value);
   }
+}
+
+/// The filter takes triangles only.
+void pqNotice::subdivide()
+{
+  pqFilterInFront::insert(
+    this, { "TriangleFilter", "LoopSubdivisionFilter" }, tr("Loop Subdivision"));
 }

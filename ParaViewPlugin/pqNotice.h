@@ -9,7 +9,8 @@
 ///     </PropertyGroup>
 ///
 /// A text "Property Value: reason" comes as the reason, with a button that sets the property in the
-/// panel and presses Apply. A group, since ParaView disables the widgets of information properties,
+/// panel and presses Apply. "Input LoopSubdivision: reason" has one that puts the filter Loop
+/// Subdivision in front. A group, since ParaView disables the widgets of information properties,
 /// and text that is grayed out looks as if it did not apply.
 #ifndef pqNotice_h
 #define pqNotice_h
@@ -32,11 +33,13 @@ public:
 private:
   void updateText();
   void follow();
+  void subdivide();
 
   vtkSmartPointer<vtkSMProperty> Text;
   QString Title;
   pqNote* Note;
   QPushButton* Button;
+  QPushButton* SubdivideButton;
   vtkSmartPointer<vtkSMProperty> Advised; // what the button sets, and to what
   double Value = 0.0;
   pqObservers Observers;

@@ -3,33 +3,24 @@
 #include "pqProblem.h"
 
 #include "pqAncestor.h"
-#include "pqApplicationCore.h"
+#include "pqFilterInFront.h"
 #include "pqNote.h"
 #include "pqOutputWidget.h"
 #include "pqPipelineSource.h"
-#include "pqPropertiesPanel.h"
 #include "pqPropertyWidgetDecorator.h"
 #include "pqServerManagerModel.h"
 #include "pqShownValue.h"
 #include "pqSourceOf.h"
-#include "pqUndoStack.h"
-#include "pqView.h"
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
-#include "vtkNew.h"
 #include "vtkOutputWindow.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
-#include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMProxySelectionModel.h"
-#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkSMTrace.h"
-#include "vtkSMViewProxy.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -37,7 +28,6 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QStringList>
-#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -316,48 +306,5 @@ void pqProblem::remedy()
 
 void pqProblem::extractSurface()
 {
-  vtkSMPropertyHelper input(this->proxy(), "Input");
-  auto* model = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  const QPointer<pqPipelineSource> item = pqSourceOf(this->proxy());
-  const QPointer<pqPropertiesPanel> panel = pqAncestor<pqPropertiesPanel>(this);
-  if (!model || !item)
-  {
-    return;
-  }
-  BEGIN_UNDO_SET(tr("Extract Surface"));
-  vtkSmartPointer<vtkSMProxy> surface;
-  surface.TakeReference(
-    model->GetSessionProxyManager()->NewProxy("filters", "DataSetSurfaceFilter"));
-  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
-  controller->PreInitializeProxy(surface);
-  const int port = static_cast<int>(input.GetOutputPort());
-  vtkSMPropertyHelper(surface, "Input").Set(model, port);
-  controller->PostInitializeProxy(surface);
-  surface->UpdateVTKObjects();
-  controller->RegisterPipelineProxy(surface);
-  if (pqPipelineSource* surfaceItem = pqSourceOf(surface))
-  {
-    surfaceItem->setModifiedState(pqProxy::UNMODIFIED);
-  }
-  vtkSMSourceProxy::SafeDownCast(surface)->UpdatePipeline();
-  {
-    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", item->getProxy());
-    vtkSMPropertyHelper(item->getProxy(), "Input").Set(surface, 0);
-    item->getProxy()->UpdateVTKObjects();
-  }
-  // As Apply does it with the input of what it shows.
-  if (vtkSMViewProxy* smview = this->view() ? this->view()->getViewProxy() : nullptr)
-  {
-    controller->Hide(model, port, smview);
-  }
-  item->getProxy()
-    ->GetSessionProxyManager()
-    ->GetSelectionModel("ActiveSources")
-    ->SetCurrentProxy(item->getProxy(), vtkSMProxySelectionModel::CLEAR_AND_SELECT);
-  END_UNDO_SET();
-  if (panel)
-  {
-    // When the panel is laid out without the note: executing paints it as it is.
-    QTimer::singleShot(0, panel, &pqPropertiesPanel::apply);
-  }
+  pqFilterInFront::insert(this, { "DataSetSurfaceFilter" }, tr("Extract Surface"));
 }

@@ -21,7 +21,7 @@ vtkStyleModel::Solved vtkStyleModel::Update(vtkAlgorithm* self, vtkPolyData* inp
   }
   if (!vtkLongEdges::IsWanted(refinement.When, this->LongEdgeShare))
   {
-    return { input, selection, this->Surface };
+    return { input, selection, this->Surface, 0.0, this->Surface };
   }
   if (processes)
   {
@@ -55,5 +55,6 @@ vtkStyleModel::Solved vtkStyleModel::Refine(vtkAlgorithm* self, vtkPolyData* inp
   mesh->FirstFannedPolygon = this->Surface->FirstFannedPolygon;
   solved.Surface = mesh;
   solved.SplitShare = this->LongEdgeShare;
+  solved.Before = this->Surface;
   return solved;
 }

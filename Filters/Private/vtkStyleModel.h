@@ -38,6 +38,7 @@ public:
     std::shared_ptr<const vtkSurfaceMesh> Surface;
     /// Share of the area that was in triangles with long edges, 0..1; 0 where none were split.
     double SplitShare = 0.0;
+    std::shared_ptr<const vtkSurfaceMesh> Before; ///< Surface, before edges were split
 
     /// The mesh, as long as anybody has it: solvers recognize it by that.
     std::shared_ptr<const SphericalStyle::TriangleMesh> ShareMesh() const

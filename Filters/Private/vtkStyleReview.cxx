@@ -186,7 +186,7 @@ vtkStyleReview::Remarks vtkStyleReview::Review(const vtkSurfaceMesh& surface, in
     remarks.Thinned = this->ThinnedParts(surface, generation, Q, o.threads);
   }
   choices.avoidFolds = choices.avoidFolds && WithCgal;
-  remarks.Advice =
-    Advise(o, this->Facts.Get(), MeasureResult(surface.Mesh, Q, o, report, surface.Part), choices);
+  remarks.Advice = Advise(o, this->Facts.Get(),
+    MeasureResult(surface.Mesh, this->Facts.Get(), Q, o, report, surface.Part), choices);
   return remarks;
 }

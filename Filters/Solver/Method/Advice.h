@@ -5,6 +5,7 @@
 #ifndef SphericalStyle_Advice_h
 #define SphericalStyle_Advice_h
 
+#include "Creases.h"
 #include "SphericalStyleMethod.h"
 
 #include <string>
@@ -20,6 +21,9 @@ struct SurfaceFacts
   double curvature = 0.0;     ///< integral of |Gaussian curvature| over 4 pi: 1 for convex bodies
   double cornerShare = 0.0;   ///< of that integral at points of at least Corner
   int components = 0;
+  /// Of an open shell, the creases that a result makes are looked for by these; none elsewhere, and
+  /// of a surface that is spread over processes.
+  CreaseProbes creases;
 };
 constexpr double LongEdge = 0.1;
 /// |Gaussian curvature| that makes a point a corner: half of what a corner of a box has. The points
@@ -44,12 +48,24 @@ struct ResultFacts
   bool blendsByArray = false;   ///< NormalBlend has an array; a process without points has none
   double facingAwayShare = 0.0; ///< area whose normal at rest points toward O, of all; with normals
                                 ///< in play only looked for around a center of one's own
+  double creasedShare = 0.0;    ///< area at new creases of an open shell: NewCreases
   /// Triangles turned over, of all; only looked for where as many have turned by a right angle.
   double turnedOverShare = 0.0;
 };
 /// @param Q  the points of the result @param o, report  those of the solve that led there
-ResultFacts MeasureResult(const TriangleMesh& mesh, const Points& Q, const MethodOptions& o,
-  const StyleReport& report, const SurfacePart& part = {});
+ResultFacts MeasureResult(const TriangleMesh& mesh, const SurfaceFacts& surface, const Points& Q,
+  const MethodOptions& o, const StyleReport& report, const SurfacePart& part = {});
+
+/// What matters of the model before long edges are split.
+struct ModelFacts
+{
+  int points = 0;              ///< coincident ones are one; 0 if they are too many to be looked at
+  double meanAngle = 0.0;      ///< CreaseProbes::meanAngle
+  double cornerShare = 0.0;    ///< SurfaceFacts::cornerShare
+  bool isSubdividable = false; ///< a manifold without coincident points
+};
+/// @param hasCoincident  whether points of the model are one in the mesh
+ModelFacts MeasureModel(const TriangleMesh& mesh, bool hasCoincident);
 
 /// What the caller can do besides MethodOptions.
 struct AdviceChoices
@@ -58,12 +74,14 @@ struct AdviceChoices
   bool refine = true;     ///< RefineLongEdges is off
   /// Share of the area that had long edges before they were split, 0..1; 0 where none were.
   double splitShare = 0.0;
+  ModelFacts model;
 };
 
 /// The one change that helps most, and the fact that says so, as "Property Value: fact", in one
-/// line: words as in the class, On and Off for true and false. The property does not have that
-/// value yet, so advice that was followed does not come again. Empty where nothing is to be said,
-/// as with lambda 0.
+/// line: words as in the class, On and Off for true and false, and for Input the filter to put in
+/// front; where nothing here has the value, a sentence. The property does not have that value yet,
+/// so advice that was followed does not come again. Empty where nothing is to be said, as with
+/// lambda 0.
 std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const ResultFacts& result,
   const AdviceChoices& choices);
 } // namespace SphericalStyle

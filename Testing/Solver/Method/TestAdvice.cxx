@@ -34,7 +34,7 @@ Outcome Run(const TriangleMesh& mesh, const MethodOptions& options)
   const StyleReport report = method.Solve(options);
   Outcome outcome;
   outcome.surface = MeasureSurface(mesh, report.components);
-  outcome.result = MeasureResult(mesh, method.GetPositions(), options, report);
+  outcome.result = MeasureResult(mesh, outcome.surface, method.GetPositions(), options, report);
   outcome.advice = Advise(options, outcome.surface, outcome.result, {});
   return outcome;
 }
@@ -134,6 +134,18 @@ void TestSurfaceFacts()
     Bumpy().F };
   CHECK_NEAR(MeasureSurface(moved, 1).curvature, MeasureSurface(Bumpy(), 1).curvature, 1e-6,
     "moved and scaled");
+}
+
+void TestModelFacts()
+{
+  // Two rings of squares around a box: see TestCreases for its angles.
+  const ModelFacts box = MeasureModel(Meshes::Box(2), false);
+  CHECK(box.points == 26 && box.isSubdividable, "a box of 26 points");
+  CHECK_NEAR(box.meanAngle, 0.5 * Pi * 12.0 / 36.0, 1e-12, "angles of a box");
+  CHECK_NEAR(box.cornerShare, 1.0, 1e-12, "corners of a box");
+  CHECK(!MeasureModel(Meshes::Box(2), true).isSubdividable, "points that coincide");
+  CHECK(!MeasureModel(Meshes::ThreeAtAnEdge(), false).isSubdividable, "three at an edge");
+  CHECK(MeasureModel(Meshes::Icosphere(4), false).points == 0, "2562 points are many");
 }
 
 void TestCenterFacts()
@@ -270,6 +282,13 @@ void TestOrder()
   options.lambda = 0.8;
   expect("Roundness 0.5: 12 % of the triangles turned over");
   options.lambda = 0.5; // there is no less
+  options.normalBlend = 0.2;
+  result.creasedShare = 0.034;
+  expect("NormalBlend 0: this open shell crumples when rounded limb by limb, on 3 % of its area");
+  result.blendsByArray = true;
+  expect("SphericalWeighting Cotangent: 53 % of the triangles are obtuse");
+  result.blendsByArray = false;
+  options.normalBlend = 0.0;
   expect("SphericalWeighting Cotangent: 53 % of the triangles are obtuse");
   surface.obtuseShare = 0.1;
   expect("SphericalWeighting Cotangent: areas of triangles differ by a factor of 4");
@@ -301,12 +320,27 @@ void TestOrder()
   surface.cornerShare = 0.25;
   choices.splitShare = 0.49;
   expect("");
+  ModelFacts& model = choices.model;
+  model.points = 1499;
+  model.isSubdividable = true;
+  expect("");
+  model.meanAngle = 0.14;
+  expect("Input LoopSubdivision: the model has only 1499 points, so its outline stays angular");
+  model.isSubdividable = false;
+  expect("The model has only 1499 points, so its outline stays angular. A subdivision surface "
+         "makes it smooth, in a modeling program: some of its edges have three faces, or points "
+         "that coincide");
+  model.cornerShare = 0.25;
+  choices.splitShare = 0.5;
+  options.detailSize = 0.0; // of panels, and that was advised
+  expect("");
 }
 }
 
 int main()
 {
   TestSurfaceFacts();
+  TestModelFacts();
   TestCenterFacts();
   TestNothingToAdvise();
   TestEachAdvice();
