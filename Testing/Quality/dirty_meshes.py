@@ -29,8 +29,9 @@ EXCEPTIONS = {
     "three_detached": ("as detached", {"defaults": 0.011}),
     "caps": ("the grid and the rays look at other samples of the same surface, and KeepSize at the area of slivers",
              {"defaults": 0.011}),
+    # The cube differs by .11 with GCC 12 and by .17 with GCC 16, so this bounds the length and no more.
     "scaled": ("needles, thinner than a cell of the grid: which way they turn about their axis is left to rounding",
-               {"closed form": 0.14, "defaults": 0.131}),
+               {"closed form": 0.2, "defaults": 0.2}),
 }
 COLUMNS = ["kind", "variant", "model", "parts", "case", "spike", "median", "largest"]
 
