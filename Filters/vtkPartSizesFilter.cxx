@@ -150,18 +150,13 @@ namespace
 {
 /// [head] What hangs on the head alone goes along with it.
 /// @param P  in the frame @param number  of the head, or -1 @param wanted  HeadHeight
-/// @return its number, -1 where there is only one part @throw std::invalid_argument
+/// @return its number, -1 where there is only one part, which has no head
+/// @throw std::invalid_argument
 vtkIdType SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
   const SphericalStyle::Triangles& F, int number, int axis, double wanted, vtkResizedParts& parts)
 {
   if (parts.Count() == 1)
   {
-    if (wanted > 0.0)
-    {
-      throw std::invalid_argument("HeadHeight: the model has only one part, so there is no rest to "
-                                  "compare a head with; make 2 or more with NumberOfParts of "
-                                  "Surface Parts, or set HeadHeight to 0");
-    }
     return -1;
   }
   const int known = number < 0 ? -1 : parts.Find(number);
@@ -200,6 +195,16 @@ vtkIdType SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
     sizes(k) *= factor;
   }
   return parts.Numbers[head.part];
+}
+
+/// Of a head that there is not. @param wanted  HeadHeight
+std::string HeadRemark(const vtkResizedParts& parts, double wanted)
+{
+  return parts.Count() == 1 && wanted > 0.0
+    ? "HeadHeight has no effect: the model has only one part, so there is no rest to compare a "
+      "head "
+      "with; make 2 or more with NumberOfParts of Surface Parts"
+    : "";
 }
 
 /// Of styles for a model that is rounded already.
@@ -405,6 +410,7 @@ int vtkPartSizesFilter::Execute(
   Warn(this, Conversion::FannedRemark(surface));
   Warn(this, Conversion::SkippedRemark(surface));
   Warn(this, LateRemark(input, parts));
+  Warn(this, HeadRemark(parts, this->HeadHeight));
   Points Q = surface.Mesh.P;
   SphericalStyle::Fields shares;
   if (surface.Mesh.F.rows() > 0)

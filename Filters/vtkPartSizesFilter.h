@@ -132,8 +132,8 @@ public:
    * Chibi by numbers: the height of the head over that of the rest, both along UpAxis in the
    * output; .5 makes a figure three heads high. Both without what hangs on the head alone, such as
    * ears. The sizes of all that are multiplied by what it takes. 0 (default): they are not. Not
-   * below 0; an error, with the heights in reach, where nothing between 1/20 and 20 will do, and
-   * where there is only one part.
+   * below 0; an error, with the heights in reach, where nothing between 1/20 and 20 will do. No
+   * effect, with a warning, where there is only one part.
    */
   vtkSetMacro(HeadHeight, double);
   vtkGetMacro(HeadHeight, double);

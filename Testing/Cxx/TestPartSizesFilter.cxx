@@ -366,10 +366,10 @@ void Refused(Checker& check)
   Sizes one(ball);
   one->SetHeadHeight(0.5);
   one.Output();
-  check(one.Errors.size() == 1 && Contains(one.Errors[0], "the model has only one part") &&
-      Contains(one.Errors[0], "NumberOfParts of Surface Parts"),
-    "one error should say the cause and the way out" + Joined(one.Errors));
-  one.Errors.clear();
+  check(one.Errors.empty() && one.Warnings.size() == 1 &&
+      Contains(one.Warnings[0], "the model has only one part") &&
+      Contains(one.Warnings[0], "NumberOfParts of Surface Parts"),
+    "one warning should say the cause and the way out" + Joined(one.Warnings));
   one->SetHeadHeight(0.0);
   one->SetPartSize(Body, 2.0);
   check.AtMost(std::abs(Height(one.Output(), Body) - 4.0), 1e-5, "height at size 2");
