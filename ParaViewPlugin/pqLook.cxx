@@ -474,10 +474,17 @@ void pqLook::refresh()
   this->updateButtons();
 }
 
-/// Numbers that are no colors need a color map again, and new names colors.
+/// Numbers that are no colors need a color map again, new names colors, and a new size its range.
 void pqLook::fitColors()
 {
   vtkSMPVRepresentationProxy* display = this->result();
+  const bool isLogarithmic = std::any_of(this->Colors.begin(), this->Colors.end(),
+    [](const Color& color) { return color.IsLogarithmic && color.Button->isChecked(); });
+  if (display && isLogarithmic && display->GetUsingScalarColoring())
+  {
+    SCOPED_UNDO_EXCLUDE();
+    display->RescaleTransferFunctionToDataRange();
+  }
   if (display && this->Names.contains(pqColors::get(display, this->view()->getViewProxy()).Array))
   {
     SCOPED_UNDO_EXCLUDE();

@@ -8,7 +8,7 @@
 ///       <Property name="Converged"/>
 ///       <Hints>
 ///         <Color text="Displacement" array="Displacement" property="GenerateDisplacement"/>
-///         <Color text="Walls" array="WallThickness" none="no wall" scale="log" note="..."/>
+///         <Color text="Walls" array="WallThickness" none="not measured" scale="log" note="..."/>
 ///         <Plain array="STLSolidLabeling"/>
 ///         <Names array="PartId"/>
 ///       </Hints>

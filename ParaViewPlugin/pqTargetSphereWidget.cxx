@@ -136,10 +136,15 @@ void pqTargetSphereWidget::updateStatement()
     // put there does more often.
     statement = tr("The center is inside the model, near the surface, which may bulge there.");
   }
+  vtkSMProperty* blend = this->proxy()->GetProperty("NormalBlend");
+  if (blend && vtkSMPropertyHelper(blend).GetAsDouble() == 1.0)
+  {
+    statement = tr("The center does not change the shape where Limbs is 1.");
+  }
   this->Statement->setText(statement);
   this->Statement->setVisible(!text.isEmpty());
   QFont font = this->font();
-  font.setBold(isOutside);
+  font.setBold(isOutside && isCustom);
   this->Statement->setFont(font);
 }
 
