@@ -45,8 +45,8 @@ vtkSMSourceProxy* Append(vtkSMSourceProxy* to, int port, const QString& filter)
 }
 }
 
-void pqFilterInFront::insert(
-  pqPropertyWidget* widget, const QStringList& filters, const QString& name)
+void pqFilterInFront::insert(pqPropertyWidget* widget, const QStringList& filters,
+  const QString& name, const QStringList& switches)
 {
   vtkSMPropertyHelper input(widget->proxy(), "Input");
   auto* model = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
@@ -67,6 +67,10 @@ void pqFilterInFront::insert(
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", item->getProxy());
     vtkSMPropertyHelper(item->getProxy(), "Input").Set(last, 0);
+    for (const QString& property : switches)
+    {
+      vtkSMPropertyHelper(item->getProxy(), property.toUtf8().constData()).Set(1);
+    }
     item->getProxy()->UpdateVTKObjects();
   }
   // As Apply does it with the input of what it shows.

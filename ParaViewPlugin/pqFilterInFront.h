@@ -15,7 +15,9 @@ namespace pqFilterInFront
 /// To be called by a queued connection: it makes another panel the active one for a moment.
 /// @param filters  names of proxies with one input, the one next to the old input first
 /// @param name  of the step of undo
-void insert(pqPropertyWidget* widget, const QStringList& filters, const QString& name);
+/// @param switches  properties of the panel's filter that are turned on
+void insert(pqPropertyWidget* widget, const QStringList& filters, const QString& name,
+  const QStringList& switches = {});
 }
 
 #endif

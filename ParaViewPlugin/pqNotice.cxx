@@ -77,9 +77,9 @@ void pqNotice::follow()
   }
 }
 
-/// The filter takes triangles only.
+/// The filter takes triangles only. Who wants a smooth outline wants no facets.
 void pqNotice::subdivide()
 {
-  pqFilterInFront::insert(
-    this, { "TriangleFilter", "LoopSubdivisionFilter" }, tr("Loop Subdivision"));
+  pqFilterInFront::insert(this, { "TriangleFilter", "LoopSubdivisionFilter" },
+    tr("Loop Subdivision"), { "GenerateNormals" });
 }

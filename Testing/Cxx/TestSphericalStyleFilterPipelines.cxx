@@ -26,7 +26,7 @@ public:
 
   static Surface Shape(double time)
   {
-    return MakeEllipsoid({ 1.0, 0.8, 1.0 + time }, Faces::Triangles, time < 3.0 ? 16 : 20);
+    return MakeEllipsoid({ 1.0, 0.8, 1.0 + time }, Faces::Triangles, time < 3.0 ? 48 : 52, 33);
   }
 
 protected:

@@ -19,7 +19,8 @@ struct Sides
   int count = 0;
   int first = -1;
   int second = -1;
-  double area = 0.0; // that the triangles looked at give to it
+  int looks = 0;     // how many of its triangles are looked at
+  double area = 0.0; // that these give to it
 };
 
 /// By the smaller and the larger point.
@@ -59,7 +60,9 @@ SidesOfEdges FindSides(const TriangleMesh& mesh, int step)
     const double area = Normal(mesh.P, F(f, 0), F(f, 1), F(f, 2)).norm() / 6.0;
     for (int k = 0; k < 3; ++k)
     {
-      edges[KeyOf(F, 3 * f + k)].area += area;
+      Sides& sides = edges[KeyOf(F, 3 * f + k)];
+      ++sides.looks;
+      sides.area += area;
       isAtOne[F(f, k)] = 1;
     }
   }
@@ -87,11 +90,14 @@ CreaseProbes PlaceCreaseProbes(const TriangleMesh& mesh, int step)
   double all = 0.0;
   double angles = 0.0;
   double border = 0.0;
+  double planar = 0.0;
+  double boxEdges = 0.0;
   for (const auto& [key, sides] : FindSides(mesh, step))
   {
     const int h = sides.first;
     const int u = StartPoint(F, h);
     const int v = EndPoint(F, h);
+    const double length = (mesh.P.row(u) - mesh.P.row(v)).norm();
     all += sides.area;
     if (sides.count == 2)
     {
@@ -102,6 +108,8 @@ CreaseProbes PlaceCreaseProbes(const TriangleMesh& mesh, int step)
       const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
       probes.area += sides.area;
       angles += sides.area * angle;
+      planar += angle < PlanarEdge ? sides.area : 0.0;
+      boxEdges += angle > BoxEdge ? 0.5 * sides.looks * length : 0.0;
       if (angle < FlatEdge)
       {
         probes.flat.push_back({ points, sides.area });
@@ -110,16 +118,19 @@ CreaseProbes PlaceCreaseProbes(const TriangleMesh& mesh, int step)
     else
     {
       probes.manifold = probes.manifold && sides.count == 1;
-      border += sides.count == 1 ? (mesh.P.row(u) - mesh.P.row(v)).norm() : 0.0;
+      border += sides.count == 1 ? length : 0.0;
     }
   }
   if (probes.area > 0.0)
   {
     probes.meanAngle = angles / probes.area;
+    probes.planarShare = planar / probes.area;
   }
   if (all > 0.0)
   {
-    probes.border = border * std::sqrt(step / all); // both stand for step times as much
+    // Lengths and area stand for step times as much.
+    probes.border = border * std::sqrt(step / all);
+    probes.boxEdges = boxEdges * std::sqrt(step / all);
   }
   return probes;
 }

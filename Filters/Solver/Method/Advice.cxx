@@ -41,13 +41,18 @@ constexpr double BorderLimit = 1.0;
 /// polygon. Models that look smooth have 2500 points or more.
 constexpr int FewPoints = 1500;
 constexpr double AngularLimit = 2.0 * Pi / 45.0;
-/// As much bent in and out again as a ball is bent; animals have 9 or more, a box 1.
+/// A closed body of flat faces: half of its area is within faces, and it has sharp edges, in length
+/// this times the square root of its area: a box has 4.9, a cylinder 2.5.
+constexpr double PlanarLimit = 0.5;
+constexpr double BoxEdgeLimit = 1.0;
+/// As much bent in and out again as a ball is bent; animals have 7 or more, a box or a cylinder 1.
+/// With corners, more: machine parts have up to 5. Cars, houses and devices have 9 and more, and
+/// without their details triangles turn over.
 constexpr double CurvatureLimit = 2.0;
-/// Brackets, plates and prisms are all panels; cars, houses and devices have a tenth to nine tenths
-/// of them, but also CurvatureLimit, and without their details triangles turn over.
+constexpr double CurvatureLimitOfParts = 5.0;
+/// Area whose long edges were split, from which on a model is drawn of panels.
 constexpr double PanelLimit = 0.5;
-/// Prisms have all of their curvature in corners, plates with round holes a third, round bodies of
-/// coarse panels none.
+/// Machine parts and what is drawn have more of their curvature in corners, round bodies none.
 constexpr double CornerLimit = 0.25;
 
 // What is advised.
@@ -261,6 +266,9 @@ SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components, const Surf
   if (part.IsWhole())
   {
     CreaseProbes creases = PlaceCreaseProbes(mesh, StepOf(mesh, part));
+    facts.planarShare = creases.planarShare;
+    facts.boxEdges = creases.boxEdges;
+    facts.border = creases.border;
     if (creases.border >= BorderLimit)
     {
       facts.creases = std::move(creases);
@@ -303,7 +311,6 @@ ModelFacts MeasureModel(const TriangleMesh& mesh, bool hasCoincident)
     const CreaseProbes creases = PlaceCreaseProbes(mesh);
     facts.points = static_cast<int>(mesh.P.rows());
     facts.meanAngle = creases.meanAngle;
-    facts.cornerShare = MeasureSurface(mesh, 1).cornerShare;
     facts.isSubdividable = creases.manifold && !hasCoincident;
   }
   return facts;
@@ -316,11 +323,16 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
   const std::string turnedOver = Percent(result.turnedOverShare) + " of the triangles turned over";
   const bool usesNormals = o.UsesNormals() || result.blendsByArray;
   const bool uniform = o.sphericalWeighting == SphericalWeighting::Uniform;
-  const bool isOfPanels = surface.curvature < CurvatureLimit &&
-    surface.cornerShare >= CornerLimit && choices.splitShare >= PanelLimit;
+  const bool isSimple = surface.curvature < CurvatureLimit ||
+    (surface.curvature < CurvatureLimitOfParts && surface.cornerShare >= CornerLimit);
+  const bool isOfFaces = isSimple && surface.planarShare >= PlanarLimit &&
+    surface.boxEdges >= BoxEdgeLimit && surface.border < BorderLimit;
+  const std::string faces =
+    Percent(surface.planarShare) + " of the area is flat faces with sharp edges, which ";
   const ModelFacts& model = choices.model;
-  const bool isDrawn = choices.splitShare >= PanelLimit && model.cornerShare >= CornerLimit;
-  const bool isAngular = model.points > 0 && model.meanAngle >= AngularLimit && !isDrawn;
+  const bool isDrawn = choices.splitShare >= PanelLimit && surface.boxEdges >= BoxEdgeLimit;
+  const bool isAngular =
+    model.points > 0 && model.meanAngle >= AngularLimit && !isDrawn && !isOfFaces;
   const std::string angular =
     "the model has only " + std::to_string(model.points) + " points, so its outline stays angular";
   const std::string longEdges =
@@ -333,7 +345,7 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
   // What spoils the result comes before what is only not as good as it could be. Where the property
   // has the value already, or an array replaces it, the next rule is asked.
   const Rule rules[] = {
-    { turned && o.detailSize == 0.0 && !isOfPanels,
+    { turned && o.detailSize == 0.0 && !isOfFaces,
       "DetailSize " + Number(Details) + ": " + turnedOver },
     { turned && !result.blendsByArray && o.normalBlend > FewLimbs,
       "NormalBlend " + Number(FewLimbs) + ": " + turnedOver },
@@ -364,9 +376,9 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
     { result.facingAwayShare >= FacingAwayLimit && !usesNormals,
       "NormalBlend " + Number(Limbs) + ": " + Percent(result.facingAwayShare) +
         " of the surface faces away from the center" },
-    { o.detailSize > 0.0 && isOfPanels,
-      "DetailSize 0: " + Percent(choices.splitShare) +
-        " of the area is flat panels, and their edges stay sharp as details" },
+    { isOfFaces && !result.blendsByArray && o.normalBlend > 0.0,
+      "NormalBlend 0: " + faces + "stay flat when rounded limb by limb" },
+    { isOfFaces && o.detailSize > 0.0, "DetailSize 0: " + faces + "stay sharp as details" },
     // That filter wants a manifold, and tears the surface at points that coincide.
     { isAngular && model.isSubdividable, "Input LoopSubdivision: " + angular },
     { isAngular,

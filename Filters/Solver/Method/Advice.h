@@ -21,6 +21,9 @@ struct SurfaceFacts
   double curvature = 0.0;     ///< integral of |Gaussian curvature| over 4 pi: 1 for convex bodies
   double cornerShare = 0.0;   ///< of that integral at points of at least Corner
   int components = 0;
+  double planarShare = 0.0; ///< these three as in CreaseProbes; 0 of a surface that is spread
+  double boxEdges = 0.0;
+  double border = 0.0;
   /// Of an open shell, the creases that a result makes are looked for by these; none elsewhere, and
   /// of a surface that is spread over processes.
   CreaseProbes creases;
@@ -61,7 +64,6 @@ struct ModelFacts
 {
   int points = 0;              ///< coincident ones are one; 0 if they are too many to be looked at
   double meanAngle = 0.0;      ///< CreaseProbes::meanAngle
-  double cornerShare = 0.0;    ///< SurfaceFacts::cornerShare
   bool isSubdividable = false; ///< a manifold without coincident points
 };
 /// @param hasCoincident  whether points of the model are one in the mesh

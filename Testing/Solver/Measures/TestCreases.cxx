@@ -64,6 +64,9 @@ void TestBox()
     const CreaseProbes probes = PlaceCreaseProbes(box);
     CHECK(probes.border == 0.0 && probes.manifold, "a box is closed");
     CHECK(NewCreases(probes, box.P) == 0.0, "what stays as it is");
+    // Twelve edges of length 2, and an area of 24.
+    CHECK_NEAR(probes.boxEdges, 24.0 / std::sqrt(24.0), 1e-12, "sharp edges of a box");
+    CHECK_NEAR(probes.planarShare, 1.0 - 12.0 / (18.0 * k), 1e-12, "faces of a box");
     CHECK_NEAR(probes.meanAngle, 0.5 * Pi * 12.0 / (18.0 * k), 1e-12, "angles of a box of " << k);
   }
 }
@@ -77,6 +80,7 @@ void TestSteps()
   {
     roofs(i, 2) = 0.2 * std::abs(std::remainder(10.0 * roofs(i, 0), 1.0));
   }
+  CHECK_NEAR(PlaceCreaseProbes(Meshes::Box(60), 7).boxEdges, std::sqrt(24.0), 0.5, "every 7th");
   const CreaseProbes all = PlaceCreaseProbes(sheet);
   const double ridges = NewCreases(all, roofs);
   CHECK(ridges > 0.02 && ridges < 0.2, "roofs have ridges: " << ridges);

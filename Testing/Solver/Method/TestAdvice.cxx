@@ -117,6 +117,8 @@ void TestSurfaceFacts()
   const SurfaceFacts fine = MeasureSurface(Meshes::Box(40, { 1, 2, 3 }), 1);
   CHECK_NEAR(fine.cornerShare, 1.0, 1e-9, "and so it is however fine the box");
   CHECK(MeasureSurface(Meshes::Icosphere(2), 1).cornerShare == 0.0, "a ball has no corners");
+  CHECK_NEAR(fine.boxEdges, 4.0 * (2.0 + 4.0 + 6.0) / std::sqrt(88.0), 0.2, "sharp edges of a box");
+  CHECK(fine.planarShare > 0.95 && fine.border == 0.0, "faces of a box");
   CHECK(fine.longEdgeShare == 0.0, "a fine box has no long edges: " << fine.longEdgeShare);
 
   const TriangleMesh house = Meshes::House();
@@ -142,7 +144,6 @@ void TestModelFacts()
   const ModelFacts box = MeasureModel(Meshes::Box(2), false);
   CHECK(box.points == 26 && box.isSubdividable, "a box of 26 points");
   CHECK_NEAR(box.meanAngle, 0.5 * Pi * 12.0 / 36.0, 1e-12, "angles of a box");
-  CHECK_NEAR(box.cornerShare, 1.0, 1e-12, "corners of a box");
   CHECK(!MeasureModel(Meshes::Box(2), true).isSubdividable, "points that coincide");
   CHECK(!MeasureModel(Meshes::ThreeAtAnEdge(), false).isSubdividable, "three at an edge");
   CHECK(MeasureModel(Meshes::Icosphere(4), false).points == 0, "2562 points are many");
@@ -301,24 +302,42 @@ void TestOrder()
   expect("NormalBlend 0.6: 46 % of the surface faces away from the center");
   result.facingAwayShare = 0.2;
   expect("");
-  // Panels that were split, of a body that is simple and has its details kept. What was advised
-  // against is not advised where triangles turn over without it.
-  choices.splitShare = 0.67;
-  surface.cornerShare = 0.25;
+  result.creasedShare = 0.0;
+  // Faces of a body that is simple. What was advised against is not advised where triangles turn
+  // over without it.
+  surface.planarShare = 0.67;
+  surface.boxEdges = 1.0;
   options.detailSize = 0.0;
   expect("");
   result.turnedOverShare = 0.123;
   expect("");
   result.turnedOverShare = 0.0;
   options.detailSize = 0.06;
-  expect("DetailSize 0: 67 % of the area is flat panels, and their edges stay sharp as details");
+  options.normalBlend = 0.6;
+  expect("NormalBlend 0: 67 % of the area is flat faces with sharp edges, which stay flat when "
+         "rounded limb by limb");
+  result.blendsByArray = true;
+  const std::string edges =
+    "DetailSize 0: 67 % of the area is flat faces with sharp edges, which stay sharp as details";
+  expect(edges);
+  result.blendsByArray = false;
+  options.normalBlend = 0.0;
+  expect(edges);
   surface.curvature = 2.0;
   expect("");
-  surface.curvature = 1.5;
-  surface.cornerShare = 0.24;
+  surface.cornerShare = 0.25; // of a machine part
+  expect(edges);
+  surface.curvature = 5.0;
   expect("");
-  surface.cornerShare = 0.25;
-  choices.splitShare = 0.49;
+  surface.curvature = 1.5;
+  surface.cornerShare = 0.0;
+  surface.border = 1.0;
+  expect("");
+  surface.border = 0.9;
+  surface.boxEdges = 0.99;
+  expect("");
+  surface.boxEdges = 1.0;
+  surface.planarShare = 0.49;
   expect("");
   ModelFacts& model = choices.model;
   model.points = 1499;
@@ -330,9 +349,14 @@ void TestOrder()
   expect("The model has only 1499 points, so its outline stays angular. A subdivision surface "
          "makes it smooth, in a modeling program: some of its edges have three faces, or points "
          "that coincide");
-  model.cornerShare = 0.25;
+  surface.planarShare = 0.5;
+  surface.boxEdges = 1.0;
+  surface.border = 0.0;
+  options.detailSize = 0.0; // and that was advised
+  expect("");
+  surface.planarShare = 0.4;
+  surface.boxEdges = 1.0; // drawn of panels
   choices.splitShare = 0.5;
-  options.detailSize = 0.0; // of panels, and that was advised
   expect("");
 }
 }
