@@ -32,7 +32,7 @@ constexpr double AreaFactorLimit = 2.0;
 /// Bodies with limbs have 0.1 to 0.22, assemblies and what curls around its center 0.4 or more.
 constexpr double FacingAwayLimit = 0.3;
 /// Of 57 models at Toy, open ones that crumple have 1.7 and 3.4 %, the other open ones .4 % or
-/// less. Closed ones have up to 1.4 %, and 1 % at a large Roundness where they look as they should.
+/// less. Closed ones with 1 % and more look as they should.
 constexpr double CreasedLimit = 0.01;
 /// Length of the border over the square root of the area: open shells have 1 or more, a figure with
 /// a hole .1, a cut bust .7.

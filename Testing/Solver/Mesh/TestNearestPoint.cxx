@@ -25,9 +25,9 @@ Vector3d Nearest(const TriangleMesh& mesh, const TriangleTree& tree, const Vecto
   {
     corners.col(k) = mesh.P.row(mesh.F(nearest.GetTriangle(), k)).transpose();
   }
-  Eigen::Matrix<double, 4, 3> A;
+  Eigen::MatrixX3d A(4, 3); // GCC 16 warns of a solver of fixed sizes
   A << corners, Eigen::RowVector3d::Ones();
-  const Eigen::Vector4d b = nearest.GetPoint().homogeneous();
+  const Eigen::VectorXd b = nearest.GetPoint().homogeneous();
   const Vector3d shares = A.colPivHouseholderQr().solve(b);
   CHECK((A * shares - b).norm() < 1e-12 && shares.minCoeff() > -1e-12, "within the triangle");
   return nearest.GetPoint();
