@@ -823,20 +823,10 @@ void vtkSphericalStyleFilter::Review(Internals& internal, const Execution& e)
   {
     return;
   }
-  const vtkSurfaceMesh& model = *e.Model.Before;
-  const auto isOfFace = [](int point) { return point != vtkSurfaceMesh::NotMoved; };
-  SphericalStyle::AdviceChoices choices;
-  choices.avoidFolds = !this->AvoidSelfIntersections;
-  choices.refine = this->RefineLongEdges == vtkLongEdges::NEVER;
-  choices.splitShare = e.Model.SplitShare;
-  if (model.Part.IsWhole())
-  {
-    choices.model = SphericalStyle::MeasureModel(model.Mesh,
-      std::count_if(model.MeshPoint.begin(), model.MeshPoint.end(), isOfFace) >
-        model.Mesh.P.rows());
-  }
-  const vtkStyleReview::Remarks remarks = internal.Review.Review(
-    e.Surface(), internal.Solver.GetMeshGeneration(), e.Q, e.Options, e.Report, choices);
+  const vtkStyleReview::Remarks remarks = internal.Review.Review(e.Surface(),
+    internal.Solver.GetMeshGeneration(), e.Q, e.Options, e.Report,
+    { !this->AvoidSelfIntersections, this->RefineLongEdges == vtkLongEdges::NEVER,
+      e.Model.SplitShare, e.Model.Facts });
   Warn(this, remarks.Thinned);
   this->Advice =
     this->ReproduceThesis || !e.IsFirst() ? "" : remarks.Advice; // the thesis is to be as it is

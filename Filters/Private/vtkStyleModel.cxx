@@ -2,14 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkStyleModel.h"
 
-#include "Advice.h" // for LongEdgeShare
 #include "vtkSurfaceRegion.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 
+#include <algorithm>
+
 namespace Conversion = vtkSurfaceMeshConversion;
+
+namespace
+{
+bool HasCoincidentPoints(const vtkSurfaceMesh& surface)
+{
+  const auto isTaken = [](int point) { return point != vtkSurfaceMesh::NotMoved; };
+  return std::count_if(surface.MeshPoint.begin(), surface.MeshPoint.end(), isTaken) >
+    surface.Mesh.P.rows();
+}
+}
 
 vtkStyleModel::Solved vtkStyleModel::Update(vtkAlgorithm* self, vtkPolyData* input,
   vtkSelection* selection, bool weld, const Refinement& refinement,
@@ -17,11 +28,15 @@ vtkStyleModel::Solved vtkStyleModel::Update(vtkAlgorithm* self, vtkPolyData* inp
 {
   if (Conversion::Update(input, weld, this->Surface, this->Take, processes))
   {
-    this->LongEdgeShare = SphericalStyle::LongEdgeShare(this->Surface->Mesh, this->Surface->Part);
+    const vtkSurfaceMesh& surface = *this->Surface;
+    this->LongEdgeShare = SphericalStyle::LongEdgeShare(surface.Mesh, surface.Part);
+    this->Facts = surface.Part.IsWhole()
+      ? SphericalStyle::MeasureModel(surface.Mesh, HasCoincidentPoints(surface))
+      : SphericalStyle::ModelFacts();
   }
   if (!vtkLongEdges::IsWanted(refinement.When, this->LongEdgeShare))
   {
-    return { input, selection, this->Surface, 0.0, this->Surface };
+    return { input, selection, this->Surface, 0.0, this->Facts };
   }
   if (processes)
   {
@@ -55,6 +70,6 @@ vtkStyleModel::Solved vtkStyleModel::Refine(vtkAlgorithm* self, vtkPolyData* inp
   mesh->FirstFannedPolygon = this->Surface->FirstFannedPolygon;
   solved.Surface = mesh;
   solved.SplitShare = this->LongEdgeShare;
-  solved.Before = this->Surface;
+  solved.Facts = this->Facts;
   return solved;
 }

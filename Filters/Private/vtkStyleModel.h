@@ -6,6 +6,7 @@
 #ifndef vtkStyleModel_h
 #define vtkStyleModel_h
 
+#include "Advice.h" // for ModelFacts
 #include "vtkLongEdges.h"
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceMeshConversion.h"
@@ -38,7 +39,7 @@ public:
     std::shared_ptr<const vtkSurfaceMesh> Surface;
     /// Share of the area that was in triangles with long edges, 0..1; 0 where none were split.
     double SplitShare = 0.0;
-    std::shared_ptr<const vtkSurfaceMesh> Before; ///< Surface, before edges were split
+    SphericalStyle::ModelFacts Facts; ///< of the model, before edges were split
 
     /// The mesh, as long as anybody has it: solvers recognize it by that.
     std::shared_ptr<const SphericalStyle::TriangleMesh> ShareMesh() const
@@ -73,6 +74,7 @@ private:
   const vtkSurfaceMeshConversion::TakePoints Take;
   std::shared_ptr<const vtkSurfaceMesh> Surface;
   double LongEdgeShare = 0.0; // of that
+  SphericalStyle::ModelFacts Facts;
 };
 
 #endif
