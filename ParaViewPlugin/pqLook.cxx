@@ -346,6 +346,10 @@ QString pqLook::seen() const
     {
       words << "from inside";
     }
+    if (!this->IsDrawn)
+    {
+      words << "not drawn";
+    }
   }
   return words.join(", ");
 }
@@ -450,9 +454,18 @@ void pqLook::frame(const vtkBoundingBox& now)
       vtkMath::Distance2BetweenPoints(from, to) > before * before)
     {
       camera->ResetCamera();
+      this->IsDrawn = false;
+      QObject::connect(
+        this->view(), &pqView::endRender, this, &pqLook::noteDrawing, Qt::UniqueConnection);
+      this->view()->render();
     }
   }
   this->Framed = now;
+}
+
+void pqLook::noteDrawing()
+{
+  this->IsDrawn = true;
 }
 
 /// The display of the result may be another one, or have other colors.

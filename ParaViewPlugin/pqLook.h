@@ -89,6 +89,7 @@ private:
   void fitColors();
   void colorBy(const Color& color, bool on);
   void frame(const vtkBoundingBox& now);
+  void noteDrawing();
   void refresh();
   void updateButtons();
   vtkSMPVRepresentationProxy* result() const;
@@ -108,6 +109,7 @@ private:
   vtkWeakPointer<vtkSMProxy> Hidden; // the result
   bool WasShown = false;             // the model too
   vtkBoundingBox Framed;             // what the view showed last
+  bool IsDrawn = true;               // since the camera was reset
   pqObservers Observers;             // of the result's display
   pqObservers FilterObservers;
 };
