@@ -38,9 +38,12 @@ constexpr double CreasedLimit = 0.01;
 /// a hole .1, a cut bust .7.
 constexpr double BorderLimit = 1.0;
 /// A model of fewer points, and of edges that are bent by more (8 degrees): its outline is a
-/// polygon. Models that look smooth have 2500 points or more.
+/// polygon. Of up to twice as many points where edges are bent by 20 degrees, as those of 26 small
+/// bones are, and little of it is faces: animals have 16 or less, devices more and faces, too.
 constexpr int FewPoints = 1500;
 constexpr double AngularLimit = 2.0 * Pi / 45.0;
+constexpr double VeryAngularLimit = Pi / 9.0;
+constexpr double FewFaces = 0.25;
 /// A closed body of flat faces: half of its area is within faces, and it has sharp edges, in length
 /// this times the square root of its area: a box has 4.9, a cylinder 2.5.
 constexpr double PlanarLimit = 0.5;
@@ -306,11 +309,12 @@ ResultFacts MeasureResult(const TriangleMesh& mesh, const SurfaceFacts& surface,
 ModelFacts MeasureModel(const TriangleMesh& mesh, bool hasCoincident)
 {
   ModelFacts facts;
-  if (mesh.P.rows() < FewPoints)
+  if (mesh.P.rows() < 2 * FewPoints)
   {
     const CreaseProbes creases = PlaceCreaseProbes(mesh);
     facts.points = static_cast<int>(mesh.P.rows());
     facts.meanAngle = creases.meanAngle;
+    facts.planarShare = creases.planarShare;
     facts.isSubdividable = creases.manifold && !hasCoincident;
   }
   return facts;
@@ -331,8 +335,9 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
     Percent(surface.planarShare) + " of the area is flat faces with sharp edges, which ";
   const ModelFacts& model = choices.model;
   const bool isDrawn = choices.splitShare >= PanelLimit && surface.boxEdges >= BoxEdgeLimit;
-  const bool isAngular =
-    model.points > 0 && model.meanAngle >= AngularLimit && !isDrawn && !isOfFaces;
+  const bool isVeryAngular = model.meanAngle >= VeryAngularLimit && model.planarShare < FewFaces;
+  const bool isAngular = model.points > 0 && !isDrawn && !isOfFaces &&
+    (isVeryAngular || (model.points < FewPoints && model.meanAngle >= AngularLimit));
   const std::string angular =
     "the model has only " + std::to_string(model.points) + " points, so its outline stays angular";
   const std::string longEdges =

@@ -62,8 +62,9 @@ ResultFacts MeasureResult(const TriangleMesh& mesh, const SurfaceFacts& surface,
 /// What matters of the model before long edges are split.
 struct ModelFacts
 {
-  int points = 0;              ///< coincident ones are one; 0 if they are too many to be looked at
-  double meanAngle = 0.0;      ///< CreaseProbes::meanAngle
+  int points = 0;         ///< coincident ones are one; 0 if they are too many to be looked at
+  double meanAngle = 0.0; ///< these two as in CreaseProbes
+  double planarShare = 0.0;
   bool isSubdividable = false; ///< a manifold without coincident points
 };
 /// @param hasCoincident  whether points of the model are one in the mesh

@@ -146,7 +146,9 @@ void TestModelFacts()
   CHECK_NEAR(box.meanAngle, 0.5 * Pi * 12.0 / 36.0, 1e-12, "angles of a box");
   CHECK(!MeasureModel(Meshes::Box(2), true).isSubdividable, "points that coincide");
   CHECK(!MeasureModel(Meshes::ThreeAtAnEdge(), false).isSubdividable, "three at an edge");
-  CHECK(MeasureModel(Meshes::Icosphere(4), false).points == 0, "2562 points are many");
+  CHECK_NEAR(box.planarShare, 24.0 / 36.0, 1e-12, "edges within faces of a box");
+  CHECK(MeasureModel(Meshes::Icosphere(4), false).points == 2562, "2562 points");
+  CHECK(MeasureModel(Meshes::Icosphere(5), false).points == 0, "10242 points are many");
 }
 
 void TestCenterFacts()
@@ -349,6 +351,17 @@ void TestOrder()
   expect("The model has only 1499 points, so its outline stays angular. A subdivision surface "
          "makes it smooth, in a modeling program: some of its edges have three faces, or points "
          "that coincide");
+  model.isSubdividable = true;
+  model.points = 1500;
+  model.meanAngle = 0.34;
+  expect("");
+  model.meanAngle = 0.35; // 20 degrees
+  model.planarShare = 0.24;
+  expect("Input LoopSubdivision: the model has only 1500 points, so its outline stays angular");
+  model.planarShare = 0.25; // a device
+  expect("");
+  model.points = 1499;
+  expect("Input LoopSubdivision: the model has only 1499 points, so its outline stays angular");
   surface.planarShare = 0.5;
   surface.boxEdges = 1.0;
   surface.border = 0.0;
