@@ -110,8 +110,9 @@ PrintableMeasures Measure(const TriangleMesh& mesh, int axis)
 struct Stand
 {
   DerivedSurface surface;
-  double depth = 0.0; // of the cut
-  double lean = 0.0;  // degrees
+  double depth = 0.0;    // of the cut
+  bool isLarger = false; // than the foot that is wanted, to stand
+  double lean = 0.0;     // degrees
   Eigen::Vector2d shear = Eigen::Vector2d::Zero();
   double tiltAngle = -std::numeric_limits<double>::infinity(); // or what is wanted, if more
   std::string problem;                                         // why there is none
@@ -284,6 +285,7 @@ Stand FindStand(const TriangleMesh& mesh, const PrintableOptions& options)
       break;
     }
     Stand stand = GiveFoot(mesh, options, area);
+    stand.isLarger = !isFirst;
     const bool isLargest = !stand.footRemark.empty();
     if (!isFirst && (isLargest || (stands && square(stand.depth / deepest) >= least)))
     {
@@ -365,7 +367,8 @@ void StandAndScale(
   if (stand.footRemark.empty() && share > MuchCut)
   {
     stand.footRemark = "The foot takes " + std::to_string(std::lround(100.0 * share)) +
-      " % of the height off the model: a smaller FootArea or StabilityAngle takes less";
+      " % of the height off the model: a smaller " +
+      (stand.isLarger ? "StabilityAngle" : "FootArea") + " takes less";
   }
   result.remarks.clear();
   for (const std::string& remark : { stand.footRemark, stand.tiltRemark })

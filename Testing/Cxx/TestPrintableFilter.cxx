@@ -215,8 +215,18 @@ void CheckMessages(Checker& check)
   both.Warnings.clear();
   both.Output();
   check(both.Warnings.size() == 1 &&
-      Contains(both.Warnings.front(), "takes 13 % of the height off the model"),
+      Contains(both.Warnings.front(),
+        "takes 13 % of the height off the model: a smaller FootArea takes less"),
     "a warning says how much is cut off" + Joined(both.Warnings));
+  // On a smaller foot it would fall over.
+  both.Get()->SetFootArea(0.01);
+  both.Get()->SetStabilityAngle(32.0);
+  both.Warnings.clear();
+  both.Output();
+  check(both.Warnings.size() == 1 &&
+      Contains(both.Warnings.front(), "off the model: a smaller StabilityAngle takes less"),
+    "a warning says what the cut is for" + Joined(both.Warnings));
+  both.Get()->SetStabilityAngle(10.0);
   const auto warns = [&](const std::string& text)
   {
     both.Warnings.clear();
