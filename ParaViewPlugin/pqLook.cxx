@@ -30,7 +30,7 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
 
@@ -38,6 +38,9 @@
 
 namespace
 {
+/// More would be wider than the panel at first; what comes then has the next row for itself.
+constexpr int ButtonsInRow = 2;
+
 void SetVisible(vtkSMProxy* representation, bool visible)
 {
   if (representation)
@@ -104,9 +107,9 @@ pqLook::pqLook(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parent
   , Before(new QPushButton(tr("&Before"), this))
   , Source(pqSourceOf(smproxy))
 {
-  auto* layout = new QHBoxLayout(this);
+  auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(this->Before);
+  layout->addWidget(this->Before, 0, 0);
   this->Before->setObjectName("Before");
   this->Before->setCheckable(true);
   this->Before->setToolTip(
@@ -126,7 +129,7 @@ pqLook::pqLook(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parent
       (plain ? this->Plain : this->Names).insert(hint->GetAttributeOrEmpty("array"));
     }
   }
-  layout->addStretch();
+  layout->setColumnStretch(ButtonsInRow, 1);
   if (auto* filter = vtkAlgorithm::SafeDownCast(smproxy->GetClientSideObject()))
   {
     this->FilterObservers.add(filter, vtkCommand::EndEvent, this, &pqLook::noteExecution);
@@ -153,7 +156,10 @@ void pqLook::addColor(vtkPVXMLElement* xml)
   color.Button->setToolTip(tr("Colors the result by %1, with a legend in the view. %2")
                              .arg(pqShownValue::words(color.Array).toLower(),
                                QString::fromUtf8(xml->GetAttributeOrEmpty("note"))));
-  this->layout()->addWidget(color.Button);
+  const int place = 1 + static_cast<int>(this->Colors.size());
+  qobject_cast<QGridLayout*>(this->layout())
+    ->addWidget(color.Button, place / ButtonsInRow, place % ButtonsInRow, 1,
+      place == ButtonsInRow ? ButtonsInRow : 1);
   QObject::connect(color.Button, &QPushButton::toggled, this,
     [this, color](bool on) { this->colorBy(color, on); });
   this->Colors.push_back(color);
