@@ -83,6 +83,14 @@ std::string Number(double value)
   return text.str();
 }
 
+/// Whether a model has so few points that its outline stays angular.
+bool IsAngular(const ModelFacts& model)
+{
+  const bool isFew = model.points < FewPoints && model.meanAngle >= AngularLimit;
+  const bool isVery = model.meanAngle >= VeryAngularLimit && model.planarShare < FewFaces;
+  return model.points > 0 && (isFew || isVery);
+}
+
 using Sums = Eigen::Array4d;
 
 /// Triangles that are enough to see shares of a surface by. A drag of the center looks at no more.
@@ -335,9 +343,7 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
     Percent(surface.planarShare) + " of the area is flat faces with sharp edges, which ";
   const ModelFacts& model = choices.model;
   const bool isDrawn = choices.splitShare >= PanelLimit && surface.boxEdges >= BoxEdgeLimit;
-  const bool isVeryAngular = model.meanAngle >= VeryAngularLimit && model.planarShare < FewFaces;
-  const bool isAngular = model.points > 0 && !isDrawn && !isOfFaces &&
-    (isVeryAngular || (model.points < FewPoints && model.meanAngle >= AngularLimit));
+  const bool isAngular = !isDrawn && !isOfFaces && IsAngular(model);
   const std::string angular =
     "the model has only " + std::to_string(model.points) + " points, so its outline stays angular";
   const std::string longEdges =
