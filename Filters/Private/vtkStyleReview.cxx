@@ -185,8 +185,9 @@ vtkStyleReview::Remarks vtkStyleReview::Review(const vtkSurfaceMesh& surface, in
   {
     remarks.Thinned = this->ThinnedParts(surface, generation, Q, o.threads);
   }
-  choices.avoidFolds = choices.avoidFolds && WithCgal;
+  choices.canAvoidFolds = WithCgal;
   remarks.Advice = Advise(o, this->Facts.Get(),
-    MeasureResult(surface.Mesh, this->Facts.Get(), Q, o, report, surface.Part), choices);
+    MeasureResult(surface.Mesh, this->Facts.Get(), Q, o, report, choices.avoidsFolds, surface.Part),
+    choices);
   return remarks;
 }

@@ -24,8 +24,8 @@ struct SurfaceFacts
   double planarShare = 0.0; ///< these three as in CreaseProbes; 0 of a surface that is spread
   double boxEdges = 0.0;
   double border = 0.0;
-  /// Of an open shell, the creases that a result makes are looked for by these; none elsewhere, and
-  /// of a surface that is spread over processes.
+  /// The creases that a result makes are looked for by these; none of a surface that is spread over
+  /// processes.
   CreaseProbes creases;
 };
 constexpr double LongEdge = 0.1;
@@ -51,13 +51,16 @@ struct ResultFacts
   bool blendsByArray = false;   ///< NormalBlend has an array; a process without points has none
   double facingAwayShare = 0.0; ///< area whose normal at rest points toward O, of all; with normals
                                 ///< in play only looked for around a center of one's own
-  double creasedShare = 0.0;    ///< area at new creases of an open shell: NewCreases
+  double creasedShare = 0.0; ///< area at new creases (NewCreases); only looked for on open shells
+                             ///< and where folds were avoided
   /// Triangles turned over, of all; only looked for where as many have turned by a right angle.
   double turnedOverShare = 0.0;
 };
 /// @param Q  the points of the result @param o, report  those of the solve that led there
+/// @param avoidsFolds  AvoidSelfIntersections was on
 ResultFacts MeasureResult(const TriangleMesh& mesh, const SurfaceFacts& surface, const Points& Q,
-  const MethodOptions& o, const StyleReport& report, const SurfacePart& part = {});
+  const MethodOptions& o, const StyleReport& report, bool avoidsFolds = false,
+  const SurfacePart& part = {});
 
 /// What matters of the model before long edges are split.
 struct ModelFacts
@@ -73,8 +76,9 @@ ModelFacts MeasureModel(const TriangleMesh& mesh, bool hasCoincident);
 /// What the caller can do besides MethodOptions.
 struct AdviceChoices
 {
-  bool avoidFolds = true; ///< AvoidSelfIntersections is there and off
-  bool refine = true;     ///< RefineLongEdges is off
+  bool avoidsFolds = false;  ///< AvoidSelfIntersections is on
+  bool refine = true;        ///< RefineLongEdges is off
+  bool canAvoidFolds = true; ///< AvoidSelfIntersections is there
   /// Share of the area that had long edges before they were split, 0..1; 0 where none were.
   double splitShare = 0.0;
   ModelFacts model;

@@ -280,13 +280,27 @@ void TestOrder()
   expect("NormalBlend 0.6: the center lies outside of the model");
   result.centerOutside = false;
   expect("AvoidSelfIntersections On: 12 % of the triangles turned over");
-  choices.avoidFolds = false;
+  choices.canAvoidFolds = false;
+  expect("Roundness 2.5: 12 % of the triangles turned over");
+  choices.canAvoidFolds = true;
+  choices.avoidsFolds = true;
   expect("Roundness 2.5: 12 % of the triangles turned over");
   options.lambda = 0.8;
   expect("Roundness 0.5: 12 % of the triangles turned over");
   options.lambda = 0.5; // there is no less
   options.normalBlend = 0.2;
   result.creasedShare = 0.034;
+  expect("SphericalWeighting Cotangent: 53 % of the triangles are obtuse"); // there is no less
+  options.lambda = 1.2;
+  result.turnedOverShare = 0.0;
+  expect("Roundness 0.6: without self-intersections 3 % of the area is crumpled, for there is too "
+         "little room");
+  choices.avoidsFolds = false;
+  expect("SphericalWeighting Cotangent: 53 % of the triangles are obtuse"); // it is closed
+  choices.avoidsFolds = true;
+  options.lambda = 0.5;
+  result.turnedOverShare = 0.123;
+  surface.border = 1.0;
   expect("NormalBlend 0: this open shell crumples when rounded limb by limb, on 3 % of its area");
   result.blendsByArray = true;
   expect("SphericalWeighting Cotangent: 53 % of the triangles are obtuse");
@@ -305,6 +319,7 @@ void TestOrder()
   result.facingAwayShare = 0.2;
   expect("");
   result.creasedShare = 0.0;
+  surface.border = 0.0;
   // Faces of a body that is simple. What was advised against is not advised where triangles turn
   // over without it.
   surface.planarShare = 0.67;
