@@ -126,8 +126,8 @@ struct PreviewPlaces
 /// and some numbers for each point that several processes have. All processes are aborted together.
 ///
 /// Cost at n points: a pass over the triangles for the grid, sums over its samples and a factor of
-/// G functions (SurfaceGrid), a ray a sample of a coarse grid; then a change costs some 20
-/// small solves and a few passes over points and triangles. Memory about 400 bytes a point.
+/// G functions (SurfaceGrid), the square of the samples of a coarse grid; then a change costs some
+/// 20 small solves and a few passes over points and triangles. Memory about 400 bytes a point.
 class ClosedFormStyle
 {
 public:

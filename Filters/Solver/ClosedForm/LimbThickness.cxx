@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace SphericalStyle
@@ -23,9 +24,16 @@ constexpr double FacesOneWay = 0.5; // |N_k| / w_k below which a sample has both
 constexpr double WallStiffness =
   24.0; // at which no wall of TestThickness keeps less than elastic stitches kept
 constexpr double FewestAnswers = 0.01;
+constexpr double Opposite = -0.55;  // of the cosine, below which two samples are on opposite sides
+constexpr double LargestBall = 1.0; // beyond, samples lie side by side
+constexpr double OnePlace = 1e-6;   // nearer samples have no direction from each other
+constexpr double HalfCone = M_PI / 8.0;       // about the direction to one, that it bounds
+constexpr double LeastArc = 3.0 / 4.0 * M_PI; // around the normal, that must be bounded
+constexpr double CollapsedCells =
+  0.25;                               // of the spacing: both sides of a wall whose base is a sheet
 constexpr double BlindSubCells = 0.5; // of the spacing: the sheet that a ray starts from
 
-/// f(k) for every sample: some rays are longer than others, so threads take few at a time.
+/// f(k) for every sample: some take longer than others, so threads take few at a time.
 template <typename Function>
 void ForSamples(const SurfaceGrid& grid, int threads, const Function& f)
 {
@@ -87,6 +95,134 @@ void TakeNearest(const SurfacePart& part, Fields& hits)
     });
 }
 
+/// Directions around an axis, as arcs that do not meet.
+class Arcs
+{
+public:
+  /// @param middle  -pi to pi @param half  0 to pi / 2
+  void Add(double middle, double half)
+  {
+    const double from = middle - half, to = middle + half;
+    this->AddOne(std::max(from, -M_PI), std::min(to, M_PI));
+    if (from < -M_PI)
+    {
+      this->AddOne(from + 2.0 * M_PI, M_PI);
+    }
+    if (to > M_PI)
+    {
+      this->AddOne(-M_PI, to - 2.0 * M_PI);
+    }
+  }
+  double GetLength() const { return this->Length; }
+
+private:
+  void AddOne(double from, double to)
+  {
+    // Arcs that it meets become one with it.
+    const auto met = std::partition(this->Ends.begin(), this->Ends.end(),
+      [&](const auto& arc) { return arc.second < from || arc.first > to; });
+    for (auto arc = met; arc != this->Ends.end(); ++arc)
+    {
+      this->Length -= arc->second - arc->first;
+      from = std::min(from, arc->first);
+      to = std::max(to, arc->second);
+    }
+    this->Ends.erase(met, this->Ends.end());
+    this->Ends.emplace_back(from, to);
+    this->Length += to - from;
+  }
+
+  std::vector<std::pair<double, double>> Ends;
+  double Length = 0.0;
+};
+
+/// What each sample looks at to find its ball: all of them, column by column.
+struct Opposites
+{
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+  Columns x;              ///< places on the base
+  Columns ofModel;        ///< and on the model
+  Columns n;              ///< unit normals, 0 of samples that say nothing
+  double collapsed = 0.0; ///< nearer sides of a wall may have changed places on the base
+};
+
+/// The balls that touch the base at a sample.
+struct Balls
+{
+  /// The smallest that one sample bounds alone, for it lies within the cone around the axis.
+  double alone = std::numeric_limits<double>::infinity();
+  std::vector<std::pair<double, int>> others; ///< radius, and the sample that it goes through
+};
+
+Balls BallsAt(const Opposites& samples, int k)
+{
+  const auto& [x, ofModel, n, collapsed] = samples;
+  const Eigen::Vector3d place = x.row(k), normal = n.row(k);
+  const Eigen::VectorXd facing = n * normal;
+  const double cosine = std::cos(HalfCone);
+  Balls balls;
+  for (int j = 0; j < facing.size(); ++j)
+  {
+    if (!(facing(j) < Opposite))
+    {
+      continue;
+    }
+    const Eigen::Vector3d y = x.row(j).transpose() - place;
+    const double depth = -y.dot(normal);
+    const double square = y.squaredNorm();
+    const bool hasDirection = square > OnePlace * OnePlace;
+    if (hasDirection && 0.5 * square < LargestBall * std::min(depth, y.dot(n.row(j))))
+    {
+      const double radius = 0.5 * square / depth;
+      if (radius < balls.alone && depth * depth >= cosine * cosine * square)
+      {
+        balls.alone = radius;
+      }
+      else if (radius < balls.alone)
+      {
+        balls.others.emplace_back(radius, j);
+      }
+    }
+    else if (square < std::min(collapsed * collapsed, 4.0 * balls.alone * balls.alone))
+    {
+      // On the model they are the right way round, and no further apart than a thin wall.
+      const Eigen::Vector3d through = ofModel.row(j) - ofModel.row(k);
+      if (through.squaredNorm() < 9.0 * collapsed * collapsed && through.dot(normal) < 0.0 &&
+        through.dot(n.row(j)) > 0.0)
+      {
+        balls.alone = 0.5 * std::sqrt(square);
+      }
+    }
+  }
+  return balls;
+}
+
+/// rho_k of a sample [limb]; none where too little is opposite.
+std::optional<double> RadiusOfBall(const Opposites& samples, int k)
+{
+  auto [alone, others] = BallsAt(samples, k);
+  others.erase(std::remove_if(others.begin(), others.end(),
+                 [most = alone](const auto& ball) { return ball.first >= most; }),
+    others.end());
+  std::sort(others.begin(), others.end());
+  const Eigen::Vector3d normal = samples.n.row(k);
+  const Eigen::Vector3d u = normal.unitOrthogonal();
+  const Eigen::Vector3d v = normal.cross(u);
+  Arcs bounded;
+  for (const auto& [radius, j] : others)
+  {
+    const Eigen::Vector3d y = (samples.x.row(j) - samples.x.row(k)).transpose().normalized();
+    const double across = y.dot(u), along = y.dot(v);
+    const double sine = std::sin(HalfCone) / std::hypot(across, along);
+    bounded.Add(std::atan2(along, across), std::asin(std::min(1.0, sine)));
+    if (bounded.GetLength() >= LeastArc)
+    {
+      return radius;
+    }
+  }
+  return std::isfinite(alone) ? std::optional(alone) : std::nullopt;
+}
+
 /// Half of what is between the two sides of a sheet that lie in one sample.
 double HalfOfSheet(const SurfaceGrid& grid, int k)
 {
@@ -101,44 +237,38 @@ Eigen::VectorXd LimbThickness(const Points& P, const Points& B, const Triangles&
   SurfaceGrid grid(P, F, LimbSize, threads, part);
   grid.FactorAlong(threads);
   const int samples = grid.GetNumberOfSamples();
-  const Fields places = grid.Means(B, threads);
   Points normals = grid.AreaVectorsUnder(grid.Gradients(B, threads), threads);
-  grid.ForgetPoints(); // the tree needs memory
   for (int k = 0; k < samples; ++k)
   {
     normals.row(k) = normals.row(k).stableNormalized().eval();
   }
   const Fields around = grid.AtSamples(grid.Smooth(normals, threads), threads);
-  const OwnTriangles triangles(B, F);
-  const double blind = BlindSubCells * grid.GetSpacing();
-
-  Fields distances = Fields::Constant(samples, 1, FirstHit::Nothing);
-  ForSamples(grid, threads,
-    [&](int k)
+  const Eigen::VectorXd oneWay =
+    grid.GetAreaVectors().rowwise().norm().array() / grid.GetWeights().array();
+  Opposites opposites{ grid.Means(B, threads), grid.GetPlaces(), normals,
+    CollapsedCells * grid.GetSpacing() };
+  for (int k = 0; k < samples; ++k)
+  {
+    if (!(around.row(k).dot(normals.row(k)) >= Against))
     {
-      const Eigen::Vector3d n = normals.row(k);
-      if (n.squaredNorm() > 0.5 && around.row(k).dot(n.transpose()) >= Against)
-      {
-        FirstHit hit(B, F, places.row(k), -n, FirstHit::Nothing);
-        hit.SkipOutsides(blind);
-        triangles.Search(hit);
-        distances(k, 0) = hit.GetDistance();
-      }
-    });
-  TakeNearest(part, distances);
+      opposites.n.row(k).setZero();
+    }
+  }
   std::vector<double> found(samples); // 0 where nothing is known
   ForSamples(grid, threads,
     [&](int k)
     {
-      const double distance = distances(k, 0);
-      const double rho = distance < FirstHit::Nothing ? std::max(Thinnest, 0.5 * distance) : 0.0;
-      const double facing = grid.GetAreaVectors().row(k).norm() / grid.GetWeights()(k);
-      const double sheet =
-        facing < FacesOneWay ? std::max(Thinnest, HalfOfSheet(grid, k)) : Thinnest;
-      const double share = std::min(1.0, facing / FacesOneWay);
-      found[k] = share == 1.0 ? rho
-        : rho > 0.0           ? std::exp(share * std::log(rho) + (1.0 - share) * std::log(sheet))
-                              : sheet;
+      const std::optional<double> ball = RadiusOfBall(opposites, k);
+      const double rho = ball ? std::max(Thinnest, *ball) : 0.0;
+      if (oneWay(k) >= FacesOneWay)
+      {
+        found[k] = rho;
+        return;
+      }
+      const double sheet = std::max(Thinnest, HalfOfSheet(grid, k));
+      const double share = oneWay(k) / FacesOneWay;
+      found[k] =
+        rho > 0.0 ? std::exp(share * std::log(rho) + (1.0 - share) * std::log(sheet)) : sheet;
     });
 
   std::vector<double> sorted;

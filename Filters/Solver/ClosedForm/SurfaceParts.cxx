@@ -24,7 +24,7 @@ namespace SphericalStyle
 namespace
 {
 constexpr double PartSize = 0.03;
-constexpr double ConcavityWeight = 5.0;
+constexpr double ConcavityWeight = 6.0;
 constexpr double LeastConductivity = 0.02;
 constexpr double PairReachOfParts = 2.3; // in sub-cells
 constexpr double SubCellsOfSpacing = 3.0;

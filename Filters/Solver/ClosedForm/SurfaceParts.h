@@ -33,7 +33,7 @@ struct SurfacePartsResult
 /// sample, n_k the smooth normal there, c_k <= 0 the smallest principal curvature of the base where
 /// it is concave, and rho_k the thickness of the limb:
 ///
-///     kappa_k = max(.02, exp(5 rho_k c_k)),      kappa_kl = sqrt(kappa_k kappa_l)
+///     kappa_k = max(.02, exp(6 rho_k c_k)),      kappa_kl = sqrt(kappa_k kappa_l)
 ///     w_kl = 3 W_k W_l / (2 e^3)   for |x_k - x_l| < e = 2.3 sub-cells, n_k . n_l > -.2
 ///
 /// The sum of w_kl over pairs across a border is its length L (a nonlocal perimeter: Garcia

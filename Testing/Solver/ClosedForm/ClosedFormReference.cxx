@@ -147,6 +147,30 @@ Hit FirstHitOf(const Points& X, const Triangles& F, const Vector& origin, const 
   return hit;
 }
 
+/// How much of a full turn arcs cover together: middles, and halves of lengths.
+double TurnOf(const std::vector<std::pair<double, double>>& arcs)
+{
+  const double turn = 2.0 * std::acos(-1.0);
+  std::vector<std::pair<double, double>> spans;
+  for (const auto& [middle, half] : arcs)
+  {
+    const double from = middle - half - turn * std::floor((middle - half) / turn);
+    spans.emplace_back(from, std::min(turn, from + 2.0 * half));
+    if (from + 2.0 * half > turn)
+    {
+      spans.emplace_back(0.0, from + 2.0 * half - turn);
+    }
+  }
+  std::sort(spans.begin(), spans.end());
+  double covered = 0.0, end = 0.0;
+  for (const auto& [from, to] : spans)
+  {
+    covered += std::max(0.0, to - std::max(end, from));
+    end = std::max(end, to);
+  }
+  return covered;
+}
+
 /// Gauss' rule on -1..1.
 constexpr double GaussPlaces[] = { -0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
   0.8611363115940526 };
@@ -864,15 +888,15 @@ public:
     base.thickness = Matrix::Zero(grid.Samples.size(), 1);
     for (std::size_t k = 0; k < grid.Samples.size(); ++k)
     {
-      const DenseGrid::Sample& sample = grid.Samples[k];
-      const Vector n = normals.row(k).transpose();
-      double rho = 0.0;
-      if (around.row(k).dot(normals.row(k)) >= -0.3) // else a flipped sample
+      if (!(around.row(k).dot(normals.row(k)) >= -0.3)) // a flipped sample
       {
-        const Hit hit = FirstHitOf(base.B, this->Outward, places.row(k).transpose(), -n,
-          std::numeric_limits<double>::infinity(), 0.5 * grid.Spacing);
-        rho = hit.triangle >= 0 ? std::max(0.002, 0.5 * hit.distance) : 0.0;
+        normals.row(k).setZero();
       }
+    }
+    for (std::size_t k = 0; k < grid.Samples.size(); ++k)
+    {
+      const DenseGrid::Sample& sample = grid.Samples[k];
+      double rho = BallAt(grid, places, normals, k);
       const double facing = 2.0 * sample.areaVector.norm() / sample.weight;
       if (facing < 1.0) // both sides of a sheet
       {
@@ -882,6 +906,62 @@ public:
       }
       base.thickness(static_cast<Eigen::Index>(k), 0) = rho;
     }
+  }
+
+  /// The radius of the ball that touches at sample k [limb]; 0 where nothing bounds it.
+  static double BallAt(
+    const DenseGrid& grid, const Matrix& places, const Matrix& normals, std::size_t k)
+  {
+    const double cone = std::acos(-1.0) / 8.0;
+    const Vector n = normals.row(k).transpose();
+    if (n.norm() < 0.5)
+    {
+      return 0.0;
+    }
+    const Vector e = n.unitOrthogonal();
+    struct Bound
+    {
+      double radius;
+      bool alone;
+      double azimuth;
+      double half;
+    };
+    std::vector<Bound> bounds;
+    for (std::size_t j = 0; j < grid.Samples.size(); ++j)
+    {
+      const Vector other = normals.row(j).transpose();
+      const Vector y = (places.row(j) - places.row(k)).transpose();
+      const Vector model = grid.Samples[j].place - grid.Samples[k].place;
+      if (other.dot(n) >= -0.55)
+      {
+        continue;
+      }
+      if (y.norm() > 1e-6 && y.squaredNorm() < -2.0 * y.dot(n) &&
+        y.squaredNorm() < 2.0 * y.dot(other))
+      {
+        const double angle = std::acos(std::min(1.0, -y.dot(n) / y.norm()));
+        const double azimuth = std::atan2(y.dot(n.cross(e)), y.dot(e));
+        bounds.push_back({ y.norm() / (2.0 * std::cos(angle)), angle <= cone, azimuth,
+          angle <= cone ? 0.0 : std::asin(std::sin(cone) / std::sin(angle)) });
+      }
+      else if (y.norm() < grid.Spacing / 4.0 && model.norm() < 0.75 * grid.Spacing &&
+        model.dot(n) < 0.0 && model.dot(other) > 0.0)
+      {
+        bounds.push_back({ y.norm() / 2.0, true, 0.0, 0.0 });
+      }
+    }
+    std::sort(bounds.begin(), bounds.end(),
+      [](const Bound& a, const Bound& b) { return a.radius < b.radius; });
+    std::vector<std::pair<double, double>> arcs;
+    for (const Bound& bound : bounds)
+    {
+      arcs.emplace_back(bound.azimuth, bound.half);
+      if (bound.alone || TurnOf(arcs) >= 6.0 * cone)
+      {
+        return std::max(0.002, bound.radius);
+      }
+    }
+    return 0.0;
   }
 
   /// rho at the points.

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The style in closed form a second time, straight from the formulas: dense matrices, maps from
-/// cells to functions, rays that try every triangle. No shared code with the solver but the names
-/// of its options. Slow, for a few hundred points and two thousand functions.
+/// cells to functions, rays that try every triangle, balls that try every sample. No shared code
+/// with the solver but the names of its options. Slow, for a few hundred points and two thousand
+/// functions.
 #ifndef SphericalStyle_ClosedFormReference_h
 #define SphericalStyle_ClosedFormReference_h
 
@@ -19,7 +20,7 @@ public:
   explicit ClosedFormReference(const SphericalStyle::TriangleMesh& mesh);
   ~ClosedFormReference();
 
-  /// Keeps factors, bases and rays of one mesh from solve to solve.
+  /// Keeps factors, bases and balls of one mesh from solve to solve.
   void Solve(const SphericalStyle::MethodOptions& options);
 
   const Points& GetPositions() const;

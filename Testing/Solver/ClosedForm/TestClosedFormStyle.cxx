@@ -661,8 +661,7 @@ void Triangulations()
       const double largest = Distance(moves, expected) / diagonal;
       std::cout << "triangulation " << ball.name << ", s " << o.detailSize << " a " << o.normalBlend
                 << ": largest difference " << largest << " diagonals" << std::endl;
-      // Where nothing says what is outside, a ray may end at a flipped triangle next to its start.
-      CHECK(largest < (ball.name == "soup with flips" ? 0.01 : 0.002),
+      CHECK(largest < 0.002,
         ball.name << ", s " << o.detailSize << " a " << o.normalBlend
                   << ": other triangles move places by " << largest << " diagonals");
     }

@@ -140,11 +140,11 @@ void Measure(const Model& model)
   method.SetMesh(model.mesh);
   for (const double mu : { 1.0, 2.0 })
   {
-    const double within = mu == 1.0 ? 0.02 : 0.03;
-    // Near a ball the base of the bar is drawn toward it, the more so the shorter the bar becomes;
-    // near the end of a leg its normals lean outward.
-    const double ofBarWithin = mu == 1.0 ? 0.05 : 0.095;
-    const double ofLegWithin = mu == 1.0 ? 0.028 : 0.06;
+    const double within = mu == 1.0 ? 0.026 : 0.035;
+    // Near a ball the bar becomes thicker, and the normals of its base lean away from the ball: it
+    // becomes shorter, the more so the larger mu. Near the end of a leg they lean outward.
+    const double ofBarWithin = mu == 1.0 ? 0.06 : 0.12;
+    const double ofLegWithin = mu == 1.0 ? 0.022 : 0.046;
     MethodOptions o;
     o.sphericalWeighting = SphericalWeighting::Cotangent;
     o.centerMode = CenterMode::AreaCentroid;
@@ -193,41 +193,105 @@ void Measure(const Model& model)
   }
 }
 
+/// Half of the thickness, in the units of the model.
+Eigen::VectorXd ThicknessOf(const TriangleMesh& mesh, double radius)
+{
+  const Frame frame = FrameOf(mesh.P);
+  const Points P = frame.Into(mesh.P);
+  const Eigen::VectorXd rho = LimbThickness(P, P, mesh.F, radius, 2);
+  CHECK(rho.size() == mesh.P.rows() && rho.allFinite() && rho.minCoeff() > 0.0,
+    "the thickness must be above 0 everywhere");
+  return frame.scale * rho;
+}
+
+/// Least and greatest of what is chosen.
+template <typename Chosen>
+Eigen::Vector2d RangeOf(const Eigen::VectorXd& rho, const Points& P, const Chosen& chosen)
+{
+  Eigen::Vector2d range(1e30, 0.0);
+  for (int i = 0; i < P.rows(); ++i)
+  {
+    if (chosen(Vector(P.row(i))))
+    {
+      range << std::min(range(0), rho(i)), std::max(range(1), rho(i));
+    }
+  }
+  return range;
+}
+
+/// A head on a body: what is opposite of the crown through the neck is the bottom of the body, but
+/// the head is as thick as the head.
+void Neck()
+{
+  const Vector body(0.0, 0.0, 0.0), head(0.0, 0.0, 1.05);
+  const TriangleMesh mesh = Meshes::Isosurface([&](const Vector& x)
+    { return std::min((x - body).norm() - 0.7, (x - head).norm() - 0.5); },
+    { -0.813, -0.807, -0.791 }, { 0.82, 0.81, 1.67 }, 0.0401);
+  const Eigen::VectorXd rho = ThicknessOf(mesh, 10.0);
+  const Eigen::Vector2d crown = RangeOf(rho, mesh.P, [](const Vector& x) { return x.z() > 1.4; });
+  const Eigen::Vector2d bottom = RangeOf(rho, mesh.P, [](const Vector& x) { return x.z() < -0.5; });
+  std::cout << "crown of a head of .5: thickness " << crown.transpose()
+            << "; bottom of a body of .7: " << bottom.transpose() << std::endl;
+  CHECK(crown(0) > 0.49 && crown(1) < 0.51, "the crown has the thickness " << crown.transpose());
+  CHECK(
+    bottom(0) > 0.69 && bottom(1) < 0.71, "the bottom has the thickness " << bottom.transpose());
+}
+
+/// Edges do not make a box thin: what is beside a sample is not opposite.
+void Edges()
+{
+  const TriangleMesh mesh = Meshes::Box(24);
+  const Eigen::VectorXd rho = ThicknessOf(mesh, 10.0);
+  std::cout << "box of half a width of 1: thickness " << rho.minCoeff() << " to " << rho.maxCoeff()
+            << std::endl;
+  CHECK(rho.minCoeff() > 0.99 && rho.maxCoeff() < 1.07,
+    "a box has the half thickness " << rho.minCoeff() << " to " << rho.maxCoeff());
+}
+
 /// A sheet has no thickness, a ball has its radius, and a shell that of its wall.
 void Shapes()
 {
   using namespace Meshes;
-  const auto thickness = [](const TriangleMesh& mesh, double radius)
-  {
-    const Frame frame = FrameOf(mesh.P);
-    const Points P = frame.Into(mesh.P);
-    const Eigen::VectorXd rho = LimbThickness(P, P, mesh.F, radius, 2);
-    CHECK(rho.size() == mesh.P.rows() && rho.allFinite() && rho.minCoeff() > 0.0,
-      "the thickness must be above 0 everywhere");
-    return Eigen::VectorXd(frame.scale * rho);
-  };
-  const Eigen::VectorXd ball = thickness(Icosphere(4), 10.0);
+  const Eigen::VectorXd ball = ThicknessOf(Icosphere(4), 10.0);
   CHECK(ball.maxCoeff() < 1.001 && ball.minCoeff() > 0.998,
     "a ball of radius 1 has the thickness " << ball.minCoeff() << " to " << ball.maxCoeff());
-  const Eigen::VectorXd small = thickness(Icosphere(4), 0.1);
+  const Eigen::VectorXd small = ThicknessOf(Icosphere(4), 0.1);
   CHECK_NEAR(small.maxCoeff(), 0.1 * std::sqrt(12.0), 1e-9, "a thickness above r");
   const TriangleMesh shell = HollowBall(0.4, 4);
-  const Eigen::VectorXd wall = thickness(shell, 10.0);
+  const Eigen::VectorXd wall = ThicknessOf(shell, 10.0);
   std::cout << "ball: thickness " << ball.minCoeff() << " to " << ball.maxCoeff()
             << "; wall of half thickness .2: " << wall.minCoeff() << " to " << wall.maxCoeff()
             << std::endl;
-  CHECK(wall.maxCoeff() < 0.2005 && wall.minCoeff() > 0.199,
+  CHECK(wall.maxCoeff() < 0.201 && wall.minCoeff() > 0.199,
     "a wall of .4 has the half thickness " << wall.minCoeff() << " to " << wall.maxCoeff());
+  // Its base may be a sheet whose sides have changed places: the wall is thin, and not what is
+  // behind it.
+  const TriangleMesh thin = HollowBall(0.1, 4);
+  const Frame frame = FrameOf(thin.P);
+  const Points P = frame.Into(thin.P);
+  Points B = P;
+  for (int i = 0; i < B.rows(); ++i)
+  {
+    const double side = B.row(i).norm() > 0.95 / frame.scale ? -0.001 : 0.001;
+    B.row(i) *= (0.95 / frame.scale + side) / B.row(i).norm();
+  }
+  const Eigen::VectorXd collapsed = LimbThickness(P, B, thin.F, 10.0, 2);
+  std::cout << "wall whose base is a sheet: thickness " << collapsed.minCoeff() << " to "
+            << collapsed.maxCoeff() << ", of the diagonal" << std::endl;
+  CHECK(collapsed.maxCoeff() < 0.006,
+    "a wall whose base is a sheet has the half thickness " << collapsed.maxCoeff());
   const double sheetRadius = 0.2;
-  const Eigen::VectorXd sheet = thickness(Patch(12, 0.0), sheetRadius);
+  const Eigen::VectorXd sheet = ThicknessOf(Patch(12, 0.0), sheetRadius);
   CHECK_NEAR(sheet.minCoeff(), sheetRadius * Diagonal(Patch(12, 0.0).P), 1e-9,
-    "a flat sheet, which no ray meets,");
+    "a flat sheet, with nothing opposite,");
 }
 }
 
 int main()
 {
   Shapes();
+  Neck();
+  Edges();
   Measure(DumbBell());
   Measure(Table());
   return CheckResult();
