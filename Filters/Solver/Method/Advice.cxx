@@ -92,6 +92,21 @@ bool IsAngular(const ModelFacts& model)
   return model.points > 0 && (isFew || isVery);
 }
 
+/// Whether it is an open shell.
+bool IsOpen(const SurfaceFacts& surface)
+{
+  return surface.border >= BorderLimit;
+}
+
+/// Whether it is a closed, simple body of flat faces.
+bool IsOfFaces(const SurfaceFacts& surface)
+{
+  const bool isSimple = surface.curvature < CurvatureLimit ||
+    (surface.curvature < CurvatureLimitOfParts && surface.cornerShare >= CornerLimit);
+  return isSimple && surface.planarShare >= PlanarLimit && surface.boxEdges >= BoxEdgeLimit &&
+    !IsOpen(surface);
+}
+
 using Sums = Eigen::Array4d;
 
 /// Triangles that are enough to see shares of a surface by. A drag of the center looks at no more.
@@ -302,7 +317,7 @@ ResultFacts MeasureResult(const TriangleMesh& mesh, const SurfaceFacts& surface,
       facts.centroidOutside = around.centerOutside;
     }
   }
-  if (avoidsFolds || surface.border >= BorderLimit)
+  if (avoidsFolds || IsOpen(surface))
   {
     facts.creasedShare = NewCreases(surface.creases, Q);
   }
@@ -334,15 +349,11 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
 {
   const bool turned = result.turnedOverShare >= TurnedOverLimit;
   const bool creased = result.creasedShare >= CreasedLimit;
-  const bool isOpen = surface.border >= BorderLimit;
   const std::string lessRoundness = Number(std::max(LeastRoundness, 0.5 * o.lambda));
   const std::string turnedOver = Percent(result.turnedOverShare) + " of the triangles turned over";
   const bool usesNormals = o.UsesNormals() || result.blendsByArray;
   const bool uniform = o.sphericalWeighting == SphericalWeighting::Uniform;
-  const bool isSimple = surface.curvature < CurvatureLimit ||
-    (surface.curvature < CurvatureLimitOfParts && surface.cornerShare >= CornerLimit);
-  const bool isOfFaces =
-    isSimple && surface.planarShare >= PlanarLimit && surface.boxEdges >= BoxEdgeLimit && !isOpen;
+  const bool isOfFaces = IsOfFaces(surface);
   const std::string faces =
     Percent(surface.planarShare) + " of the area is flat faces with sharp edges, which ";
   const ModelFacts& model = choices.model;
@@ -379,7 +390,7 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
     { creased && choices.avoidsFolds && o.lambda > LeastRoundness,
       "Roundness " + lessRoundness + ": without self-intersections " +
         Percent(result.creasedShare) + " of the area is crumpled, for there is too little room" },
-    { creased && isOpen && !result.blendsByArray && o.normalBlend > 0.0,
+    { creased && IsOpen(surface) && !result.blendsByArray && o.normalBlend > 0.0,
       "NormalBlend 0: this open shell crumples when rounded limb by limb, on " +
         Percent(result.creasedShare) + " of its area" },
     { uniform && surface.obtuseShare >= ObtuseLimit,
