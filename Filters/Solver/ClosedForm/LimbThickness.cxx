@@ -26,6 +26,7 @@ constexpr double WallStiffness =
 constexpr double FewestAnswers = 0.01;
 constexpr double Opposite = -0.55;  // of the cosine, below which two samples are on opposite sides
 constexpr double LargestBall = 1.0; // beyond, samples lie side by side
+constexpr int MostOpposite = 10000; // of more samples, as sponges have, every second and so on
 constexpr double OnePlace = 1e-6;   // nearer samples have no direction from each other
 constexpr double HalfCone = M_PI / 8.0;       // about the direction to one, that it bounds
 constexpr double LeastArc = 3.0 / 4.0 * M_PI; // around the normal, that must be bounded
@@ -136,15 +137,17 @@ private:
   double Length = 0.0;
 };
 
-/// What each sample looks at to find its ball: all of them, column by column.
-struct Opposites
+/// A sample, or several one below the other.
+template <int Rows>
+struct Sides
 {
-  using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-  Columns x;              ///< places on the base
-  Columns ofModel;        ///< and on the model
-  Columns n;              ///< unit normals, 0 of samples that say nothing
-  double collapsed = 0.0; ///< nearer sides of a wall may have changed places on the base
+  using Places = Eigen::Matrix<double, Rows, 3, Rows == 1 ? Eigen::RowMajor : Eigen::ColMajor>;
+  Places x;       ///< place on the base
+  Places ofModel; ///< and on the model
+  Places n;       ///< unit normal, 0 of what says nothing
 };
+using Side = Sides<1>;
+using Opposites = Sides<Eigen::Dynamic>;
 
 /// The balls that touch the base at a sample.
 struct Balls
@@ -154,10 +157,11 @@ struct Balls
   std::vector<std::pair<double, int>> others; ///< radius, and the sample that it goes through
 };
 
-Balls BallsAt(const Opposites& samples, int k)
+/// @param collapsed  nearer sides of a wall may have changed places on the base
+Balls BallsAt(const Side& side, const Opposites& opposites, double collapsed)
 {
-  const auto& [x, ofModel, n, collapsed] = samples;
-  const Eigen::Vector3d place = x.row(k), normal = n.row(k);
+  const auto& [x, ofModel, n] = opposites;
+  const Eigen::Vector3d normal = side.n;
   const Eigen::VectorXd facing = n * normal;
   const double cosine = std::cos(HalfCone);
   Balls balls;
@@ -167,7 +171,7 @@ Balls BallsAt(const Opposites& samples, int k)
     {
       continue;
     }
-    const Eigen::Vector3d y = x.row(j).transpose() - place;
+    const Eigen::Vector3d y = x.row(j) - side.x;
     const double depth = -y.dot(normal);
     const double square = y.squaredNorm();
     const bool hasDirection = square > OnePlace * OnePlace;
@@ -186,7 +190,7 @@ Balls BallsAt(const Opposites& samples, int k)
     else if (square < std::min(collapsed * collapsed, 4.0 * balls.alone * balls.alone))
     {
       // On the model they are the right way round, and no further apart than a thin wall.
-      const Eigen::Vector3d through = ofModel.row(j) - ofModel.row(k);
+      const Eigen::Vector3d through = ofModel.row(j) - side.ofModel;
       if (through.squaredNorm() < 9.0 * collapsed * collapsed && through.dot(normal) < 0.0 &&
         through.dot(n.row(j)) > 0.0)
       {
@@ -198,20 +202,20 @@ Balls BallsAt(const Opposites& samples, int k)
 }
 
 /// rho_k of a sample [limb]; none where too little is opposite.
-std::optional<double> RadiusOfBall(const Opposites& samples, int k)
+std::optional<double> RadiusOfBall(const Side& side, const Opposites& opposites, double collapsed)
 {
-  auto [alone, others] = BallsAt(samples, k);
+  auto [alone, others] = BallsAt(side, opposites, collapsed);
   others.erase(std::remove_if(others.begin(), others.end(),
                  [most = alone](const auto& ball) { return ball.first >= most; }),
     others.end());
   std::sort(others.begin(), others.end());
-  const Eigen::Vector3d normal = samples.n.row(k);
+  const Eigen::Vector3d normal = side.n;
   const Eigen::Vector3d u = normal.unitOrthogonal();
   const Eigen::Vector3d v = normal.cross(u);
   Arcs bounded;
   for (const auto& [radius, j] : others)
   {
-    const Eigen::Vector3d y = (samples.x.row(j) - samples.x.row(k)).transpose().normalized();
+    const Eigen::Vector3d y = (opposites.x.row(j) - side.x).transpose().normalized();
     const double across = y.dot(u), along = y.dot(v);
     const double sine = std::sin(HalfCone) / std::hypot(across, along);
     bounded.Add(std::atan2(along, across), std::asin(std::min(1.0, sine)));
@@ -245,20 +249,25 @@ Eigen::VectorXd LimbThickness(const Points& P, const Points& B, const Triangles&
   const Fields around = grid.AtSamples(grid.Smooth(normals, threads), threads);
   const Eigen::VectorXd oneWay =
     grid.GetAreaVectors().rowwise().norm().array() / grid.GetWeights().array();
-  Opposites opposites{ grid.Means(B, threads), grid.GetPlaces(), normals,
-    CollapsedCells * grid.GetSpacing() };
+  const Points places = grid.Means(B, threads);
   for (int k = 0; k < samples; ++k)
   {
     if (!(around.row(k).dot(normals.row(k)) >= Against))
     {
-      opposites.n.row(k).setZero();
+      normals.row(k).setZero();
     }
   }
+  const Eigen::Index step = std::max(1, (samples + MostOpposite - 1) / MostOpposite);
+  const auto some = Eigen::seq(0, samples - 1, step);
+  const Opposites opposites{ places(some, AllColumns), grid.GetPlaces()(some, AllColumns),
+    normals(some, AllColumns) };
+  const double collapsed = CollapsedCells * grid.GetSpacing();
   std::vector<double> found(samples); // 0 where nothing is known
   ForSamples(grid, threads,
     [&](int k)
     {
-      const std::optional<double> ball = RadiusOfBall(opposites, k);
+      const std::optional<double> ball = RadiusOfBall(
+        { places.row(k), grid.GetPlaces().row(k), normals.row(k) }, opposites, collapsed);
       const double rho = ball ? std::max(Thinnest, *ball) : 0.0;
       if (oneWay(k) >= FacesOneWay)
       {

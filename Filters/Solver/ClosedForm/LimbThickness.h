@@ -36,7 +36,7 @@ constexpr double LimbSize = 0.075;
 ///
 /// The ball is that of Ma, Bae, Choi, 3D medial axis point approximation using nearest neighbors
 /// and the normal field, The Visual Computer 28, 2012; there it shrinks until it is empty. Cost:
-/// the square of the number of samples, which depends on the area alone.
+/// each sample looks at all others, or at 10,000 of them. Their number depends on the area alone.
 ///
 /// @param P, B  n x 3 points and base, in the frame @param F  m x 3, facing outward @param radius
 /// r @return n, above 0
