@@ -825,7 +825,7 @@ void vtkSphericalStyleFilter::Review(Internals& internal, const Execution& e)
   }
   const vtkStyleReview::Remarks remarks = internal.Review.Review(e.Surface(),
     internal.Solver.GetMeshGeneration(), e.Q, e.Options, e.Report,
-    { this->AvoidSelfIntersections, this->RefineLongEdges == vtkLongEdges::NEVER, true,
+    { this->AvoidSelfIntersections, this->RefineLongEdges == vtkLongEdges::NEVER,
       e.Model.SplitShare, e.Model.Facts });
   Warn(this, remarks.Thinned);
   this->Advice =

@@ -126,7 +126,7 @@ struct PreviewPlaces
 /// and some numbers for each point that several processes have. All processes are aborted together.
 ///
 /// Cost at n points: a pass over the triangles for the grid, sums over its samples and a factor of
-/// G functions (SurfaceGrid), the square of the samples of a coarse grid; then a change costs some
+/// G functions (SurfaceGrid), the pairs of samples of a coarse grid; then a change costs some
 /// 20 small solves and a few passes over points and triangles. Memory about 400 bytes a point.
 class ClosedFormStyle
 {

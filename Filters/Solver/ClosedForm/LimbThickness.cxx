@@ -30,8 +30,9 @@ constexpr int MostOpposite = 10000; // of more samples, as sponges have, every s
 constexpr double OnePlace = 1e-6;   // nearer samples have no direction from each other
 constexpr double HalfCone = M_PI / 8.0;       // about the direction to one, that it bounds
 constexpr double LeastArc = 3.0 / 4.0 * M_PI; // around the normal, that must be bounded
-constexpr double CollapsedCells =
-  0.25;                               // of the spacing: both sides of a wall whose base is a sheet
+// Both sides of a wall whose base is a sheet are within these, of the spacing.
+constexpr double CollapsedOnBase = 0.25;
+constexpr double CollapsedOnModel = 0.75;
 constexpr double BlindSubCells = 0.5; // of the spacing: the sheet that a ray starts from
 
 /// f(k) for every sample: some take longer than others, so threads take few at a time.
@@ -157,13 +158,13 @@ struct Balls
   std::vector<std::pair<double, int>> others; ///< radius, and the sample that it goes through
 };
 
-/// @param collapsed  nearer sides of a wall may have changed places on the base
-Balls BallsAt(const Side& side, const Opposites& opposites, double collapsed)
+Balls BallsAt(const Side& side, const Opposites& opposites, double spacing)
 {
   const auto& [x, ofModel, n] = opposites;
   const Eigen::Vector3d normal = side.n;
   const Eigen::VectorXd facing = n * normal;
   const double cosine = std::cos(HalfCone);
+  const double onBase = CollapsedOnBase * spacing, onModel = CollapsedOnModel * spacing;
   Balls balls;
   for (int j = 0; j < facing.size(); ++j)
   {
@@ -187,11 +188,11 @@ Balls BallsAt(const Side& side, const Opposites& opposites, double collapsed)
         balls.others.emplace_back(radius, j);
       }
     }
-    else if (square < std::min(collapsed * collapsed, 4.0 * balls.alone * balls.alone))
+    else if (square < std::min(onBase * onBase, 4.0 * balls.alone * balls.alone))
     {
       // On the model they are the right way round, and no further apart than a thin wall.
       const Eigen::Vector3d through = ofModel.row(j) - side.ofModel;
-      if (through.squaredNorm() < 9.0 * collapsed * collapsed && through.dot(normal) < 0.0 &&
+      if (through.squaredNorm() < onModel * onModel && through.dot(normal) < 0.0 &&
         through.dot(n.row(j)) > 0.0)
       {
         balls.alone = 0.5 * std::sqrt(square);
@@ -202,9 +203,9 @@ Balls BallsAt(const Side& side, const Opposites& opposites, double collapsed)
 }
 
 /// rho_k of a sample [limb]; none where too little is opposite.
-std::optional<double> RadiusOfBall(const Side& side, const Opposites& opposites, double collapsed)
+std::optional<double> RadiusOfBall(const Side& side, const Opposites& opposites, double spacing)
 {
-  auto [alone, others] = BallsAt(side, opposites, collapsed);
+  auto [alone, others] = BallsAt(side, opposites, spacing);
   others.erase(std::remove_if(others.begin(), others.end(),
                  [most = alone](const auto& ball) { return ball.first >= most; }),
     others.end());
@@ -261,13 +262,12 @@ Eigen::VectorXd LimbThickness(const Points& P, const Points& B, const Triangles&
   const auto some = Eigen::seq(0, samples - 1, step);
   const Opposites opposites{ places(some, AllColumns), grid.GetPlaces()(some, AllColumns),
     normals(some, AllColumns) };
-  const double collapsed = CollapsedCells * grid.GetSpacing();
   std::vector<double> found(samples); // 0 where nothing is known
   ForSamples(grid, threads,
     [&](int k)
     {
       const std::optional<double> ball = RadiusOfBall(
-        { places.row(k), grid.GetPlaces().row(k), normals.row(k) }, opposites, collapsed);
+        { places.row(k), grid.GetPlaces().row(k), normals.row(k) }, opposites, grid.GetSpacing());
       const double rho = ball ? std::max(Thinnest, *ball) : 0.0;
       if (oneWay(k) >= FacesOneWay)
       {

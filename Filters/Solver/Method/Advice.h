@@ -76,12 +76,12 @@ ModelFacts MeasureModel(const TriangleMesh& mesh, bool hasCoincident);
 /// What the caller can do besides MethodOptions.
 struct AdviceChoices
 {
-  bool avoidsFolds = false;  ///< AvoidSelfIntersections is on
-  bool refine = true;        ///< RefineLongEdges is off
-  bool canAvoidFolds = true; ///< AvoidSelfIntersections is there
+  bool avoidsFolds = false; ///< AvoidSelfIntersections is on
+  bool refine = true;       ///< RefineLongEdges is off
   /// Share of the area that had long edges before they were split, 0..1; 0 where none were.
   double splitShare = 0.0;
   ModelFacts model;
+  bool canAvoidFolds = true; ///< AvoidSelfIntersections is there
 };
 
 /// The one change that helps most, and the fact that says so, as "Property Value: fact", in one
