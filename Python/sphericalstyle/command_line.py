@@ -268,18 +268,16 @@ def round_one(job, keywords, view=0.0, progress=None):
     keywords = {"up_axis": up_axis_of(job.source)} | keywords
     style, messages = execute(surface, progress=progress, **keywords)
     result = style.GetOutput()
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # messages has them
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
         if job.slider:
             write_slider(target, job.source if is_gltf(job.source) else surface, **keywords)
         else:
-            with warnings.catch_warnings(record=True) as told:
-                warnings.simplefilter("always")
-                write(target, result)
-            messages.warnings += [str(warning.message) for warning in told]
+            write(target, result)
         if job.page:
             job.page.parent.mkdir(parents=True, exist_ok=True)
             write_page(job.page, surface, title=job.source.stem, **keywords)
+    messages.warnings = list(dict.fromkeys(messages.warnings + [str(warning.message) for warning in told]))
     if job.picture:
         from .model_pictures import before_after  # the program starts without OpenGL
 

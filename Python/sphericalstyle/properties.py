@@ -48,11 +48,14 @@ class Property(NamedTuple):
             self._choose(style, value)
             return
         value = self._converted(value)
+        warned = style.AddObserver("WarningEvent", lambda *_: None)  # VTK would print it; here it is the exception
         try:
             getattr(style, "Set" + self.name)(value)
             taken = getattr(style, "Get" + self.name)() == value  # not for NaN
         except (OverflowError, ValueError):
             taken = False
+        finally:
+            style.RemoveObserver(warned)
         if not taken:
             raise ValueError(f"{self.keyword} must be {self.range}; it is {_text(value)}")
 

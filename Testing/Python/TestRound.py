@@ -22,6 +22,7 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -52,7 +53,9 @@ def same(a, b):
 
 
 def fails(kind, words, *arguments, of=ss.round, **keywords):
-    """round(), or another function, raises exactly this kind of exception, with these words."""
+    """round(), or another function, raises exactly this kind of exception, with these words, and prints nothing."""
+    window, printed = vtkOutputWindow.GetInstance(), vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(printed)
     try:
         of(*arguments, **keywords)
     except Exception as error:
@@ -60,6 +63,9 @@ def fails(kind, words, *arguments, of=ss.round, **keywords):
         assert words in str(error), (words, str(error))
     else:
         raise AssertionError(f"no {kind.__name__} for {keywords}")
+    finally:
+        vtkOutputWindow.SetInstance(window)
+    assert not printed.GetOutput(), (keywords, printed.GetOutput())
 
 
 creature = read("creature.vtp")

@@ -7,6 +7,7 @@ usage: TestSliderFiles.py PROGRAM DATA_FOLDER
 import base64
 import json
 import os
+import pathlib
 import re
 import subprocess
 import sys
@@ -97,6 +98,11 @@ assert again["meshes"][0]["extras"]["targetNames"] == ["Roundness", "Roundness"]
 out = run(source, os.path.join(data, "cube.vtp"), "--output", place("many"), "--slider", "--html", place("pages"), *plain)
 assert sorted(os.listdir(place("many"))) == ["cube.vtp.glb", "snowman.vtp.glb"], out
 assert sorted(os.listdir(place("pages"))) == ["cube.vtp.html", "snowman.vtp.html"]
+# What the file has to say is told here, too.
+run(source, place("round.vtp"))
+out = run(place("round.vtp"), place("round.glb"), "--slider", "--report", place("round.json"), *plain)
+notes = json.loads(pathlib.Path(place("round.json")).read_text(encoding="utf-8"))["models"][0]["warnings"]
+assert [note for note in notes if "rounded already" in note] and "rounded already" in out, (notes, out)
 assert "has to end in .glb or .gltf" in run(source, place("snow.ply"), "--slider", code=2)
 assert "ends in .html" in run(source, place("snow.ply"), "--html", place("x.png"), code=2)
 said = run(source, source, "--output", place("o"), "--html", "x.html", code=2)
