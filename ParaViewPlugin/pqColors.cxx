@@ -128,12 +128,16 @@ void setLogarithmic(vtkSMPVRepresentationProxy* display)
     return;
   }
   const double low = std::max(from, Least * high);
-  for (std::size_t k = 0; k + 3 < values.size(); k += 4)
+  std::vector<double> reversed;
+  for (std::size_t k = values.size() / 4; k-- > 0;)
   {
-    values[k] = low * std::pow(high / low, (values[k] - from) / (high - from));
+    const double* point = &values[4 * k];
+    const double share = (high - point[0]) / (high - from);
+    reversed.insert(
+      reversed.end(), { low * std::pow(high / low, share), point[1], point[2], point[3] });
   }
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", map);
-  points.Set(values.data(), static_cast<unsigned int>(values.size()));
+  points.Set(reversed.data(), static_cast<unsigned int>(reversed.size()));
   vtkSMPropertyHelper(map, "UseLogScale").Set(1);
   map->UpdateVTKObjects();
 }

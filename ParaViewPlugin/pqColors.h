@@ -28,7 +28,8 @@ void set(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const Choice
 void nameNone(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const QByteArray& text);
 
 /// A logarithmic color map, for lengths from far below to far above what matters. Where there are
-/// numbers of 0 or less, the smallest ones get the first color. With quantities only.
+/// numbers of 0 or less, the smallest ones get the last color. The colors are reversed, so that red
+/// is what is thin. With quantities only.
 void setLogarithmic(vtkSMPVRepresentationProxy* display);
 bool isLogarithmic(vtkSMPVRepresentationProxy* display);
 

@@ -21,7 +21,7 @@ pqNotice::pqNotice(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* pa
   , Title(smgroup->GetXMLLabel())
   , Note(new pqNote(this))
   , Button(new QPushButton(this))
-  , SubdivideButton(new QPushButton(tr("Put Loop Subdivision in front"), this))
+  , SubdivideButton(new QPushButton(this))
 {
   this->setShowLabel(false);
   auto* layout = new QVBoxLayout(this);
@@ -61,6 +61,13 @@ void pqNotice::updateText()
       tr("Set %1 to %2")
         .arg(pqShownValue::label(this->Advised), pqShownValue::words(match.captured(2))));
     this->Button->setToolTip(tr("Follows the advice and applies it. Undo takes it back."));
+  }
+  if (subdivides)
+  {
+    vtkSMProxy* input = vtkSMPropertyHelper(this->proxy(), "Input").GetAsProxy();
+    this->SubdivideButton->setText(input && QString(input->GetXMLName()) == "LoopSubdivisionFilter"
+        ? tr("Put another Loop Subdivision in front")
+        : tr("Put Loop Subdivision in front"));
   }
   this->Button->setVisible(this->Advised != nullptr);
   this->SubdivideButton->setVisible(subdivides);

@@ -177,12 +177,14 @@ void pqProblem::hear(vtkObject*, unsigned long event, void* text)
     this->Opened = false; // for this one it stays open
     return;
   }
+  // Warnings of another filter than the one in the panel are in its panel when it is chosen.
   const QWidget* panel = this->parentWidget();
-  if (this->Opened && panel && panel->isVisible())
+  const bool isError = event == vtkCommand::ErrorEvent;
+  if (this->Opened && panel && (panel->isVisible() || !isError))
   {
     this->MessageDock->hide();
   }
-  this->Messages.push_back({ match.captured(2).trimmed(), event == vtkCommand::ErrorEvent });
+  this->Messages.push_back({ match.captured(2).trimmed(), isError });
   this->updateLater();
 }
 

@@ -3,8 +3,8 @@
 /// @file
 /// Says in the panel of a filter for surfaces what is wrong: with its input, before Apply, with the
 /// way out as a button where there is one; and with its last execution, of which ParaView tells in
-/// its window of messages. That has the message too, but does not open for it where the panel is
-/// seen.
+/// its window of messages. That has the message too, but opens only for an error, and only where
+/// the panel is not seen.
 ///
 ///     <PropertyGroup label="" panel_widget="Problem">
 ///       <Property name="FinalEnergy"/>
