@@ -24,6 +24,7 @@
 #include <array>
 #include <charconv>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -39,6 +40,8 @@ namespace
 // The names of the specification, in the order of vtk3MFWriter::Units.
 constexpr std::array<const char*, 6> UnitNames = { "micron", "millimeter", "centimeter", "inch",
   "foot", "meter" };
+constexpr std::array<double, 6> Millimeters = { 1e-3, 1.0, 10.0, 25.4, 304.8, 1000.0 };
+constexpr double Tiny = 5.0; // millimeters
 
 constexpr const char* ContentTypes =
   R"(<?xml version="1.0" encoding="UTF-8"?>
@@ -303,6 +306,21 @@ std::string ModelText(
 )";
   return text;
 }
+
+/// Of a model that was never made the size of a toy; empty where it is larger.
+std::string TinyRemark(const Points& P, double millimeters)
+{
+  const double longest = (P.colwise().maxCoeff() - P.colwise().minCoeff()).maxCoeff() * millimeters;
+  if (longest >= Tiny)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text.precision(3);
+  text << "The file is written, but the model is only " << longest
+       << " mm long. Height of the filter Printable makes it larger, or choose another Unit";
+  return text.str();
+}
 } // namespace
 
 vtk3MFWriter::vtk3MFWriter() = default;
@@ -375,6 +393,7 @@ void vtk3MFWriter::Execute(vtkPolyData* input)
         ". The filter Printable turns faces outward and fills holes; Surface Diagnostics shows all "
         "such places");
   }
+  Warn(this, TinyRemark(solid.Mesh.P, Millimeters[this->Unit]));
   this->UpdateProgress(1.0);
 }
 

@@ -20,7 +20,8 @@
  * A slicer wants a closed surface whose faces are outward, as vtkPrintableFilter makes it. Where it
  * has border edges, edges of three or more faces, faces that disagree on the outside, or closed
  * parts that are inside out, a warning says so, with their number and the first point. The file is
- * written all the same, since slicers repair much of that.
+ * written all the same, since slicers repair much of that. A warning also tells of a model that is
+ * below 5 mm in the unit of the file.
  *
  * Errors: no FileName, an ending other than .3mf, no faces, what all filters refuse (points that
  * are not finite, ids out of range), more than 4 GB, a file that cannot be written. There is no

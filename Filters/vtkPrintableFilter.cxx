@@ -265,12 +265,12 @@ std::string ThinRemark(const Eigen::VectorXd& thickness, double wanted)
   }
   const auto count = static_cast<vtkIdType>((thickness.array() < wanted).count());
   std::ostringstream text;
-  text
-    << "MinimumThickness: walls stay thinner than " << wanted << " at " << Count(count, "point")
-    << ", the thinnest with " << least << " at point " << thinnest
-    << ", where the surface would run through itself; the array WallThickness shows them. "
-       "Choose a larger Height or a smaller MinimumThickness; a slicer leaves out what is thinner "
-       "than its line";
+  text.precision(3);
+  text << "MinimumThickness: walls stay thinner than " << wanted << " at " << Count(count, "point")
+       << ", the thinnest with " << least << " at point " << thinnest
+       << ", where the surface would run through itself, or where a cut leaves a sharp rim on the "
+          "plate; the array WallThickness shows them. Choose a larger Height or a smaller "
+          "MinimumThickness; a slicer leaves out what is thinner than its line";
   return text.str();
 }
 

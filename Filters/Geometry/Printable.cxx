@@ -367,8 +367,9 @@ void StandAndScale(
   if (stand.footRemark.empty() && share > MuchCut)
   {
     stand.footRemark = "The foot takes " + std::to_string(std::lround(100.0 * share)) +
-      " % of the height off the model: a smaller " +
-      (stand.isLarger ? "StabilityAngle" : "FootArea") + " takes less";
+      " % of the height along " + "XYZ"[options.axis] + " off the model: a smaller " +
+      (stand.isLarger ? "StabilityAngle" : "FootArea") +
+      " takes less, and UpAxis chooses another side to stand on";
   }
   result.remarks.clear();
   for (const std::string& remark : { stand.footRemark, stand.tiltRemark })

@@ -216,7 +216,8 @@ void CheckMessages(Checker& check)
   both.Output();
   check(both.Warnings.size() == 1 &&
       Contains(both.Warnings.front(),
-        "takes 13 % of the height off the model: a smaller FootArea takes less"),
+        "takes 13 % of the height along Y off the model: a smaller FootArea takes less, and "
+        "UpAxis"),
     "a warning says how much is cut off" + Joined(both.Warnings));
   // On a smaller foot it would fall over.
   both.Get()->SetFootArea(0.01);
