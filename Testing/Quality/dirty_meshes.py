@@ -21,10 +21,10 @@ BOUND = 0.002  # largest difference, a fraction of the diagonal
 EXCEPTIONS = {
     "hole": ("a piece of the surface is missing, and base, center and area with it",
              {"thesis": 0.0027, "closed form": 0.021, "defaults": 0.0291}),
-    "holes": ("a piece of the surface is missing, and a ray for the thickness can pass it",
+    "holes": ("a piece of the surface is missing, and a ray that looks for a wall can pass it",
               {"thesis": 0.0031, "closed form": 0.005, "defaults": 0.0139}),
     "slit": ("a piece of the surface is missing", {"thesis": 0.0065, "closed form": 0.028, "defaults": 0.04}),
-    "detached": ("the gap alone is 0.003, and a ray for the thickness can pass it",
+    "detached": ("the gap alone is 0.003, and a ray that looks for a wall can pass it",
                  {"thesis": 0.004, "closed form": 0.0045, "defaults": 0.011}),
     "three_detached": ("as detached", {"defaults": 0.011}),
     "caps": ("the grid and the rays look at other samples of the same surface, and KeepSize at the area of slivers",
