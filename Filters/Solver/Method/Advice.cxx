@@ -9,6 +9,7 @@
 #include "SurfaceMeasures.h"
 #include "UnitScale.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -54,6 +55,8 @@ constexpr double BoxEdgeLimit = 1.0;
 /// without their details triangles turn over.
 constexpr double CurvatureLimit = 2.0;
 constexpr double CurvatureLimitOfParts = 5.0;
+/// Times as long as wide, from which on a ball is a bulge in the middle of such a body.
+constexpr double LongLimit = 3.0;
 /// Area whose long edges were split, from which on a model is drawn of panels.
 constexpr double PanelLimit = 0.5;
 /// Machine parts and what is drawn have more of their curvature in corners, round bodies none.
@@ -239,6 +242,17 @@ void MeasureCurvature(const TriangleMesh& mesh, const SurfacePart& part, Eigen::
   facts.curvature = all / (4.0 * Pi);
   facts.cornerShare = all > 0.0 ? corners / all : 0.0;
 }
+
+/// 1 of what has no extent.
+double Elongation(const TriangleMesh& mesh)
+{
+  const auto [low, high] = BoundsOf(mesh.P, {});
+  const double unit = UnitScale(low.cwiseAbs().cwiseMax(high.cwiseAbs()));
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+    AreaMoments(unit * mesh.P, mesh.F), Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d& moments = solver.eigenvalues(); // the largest one last
+  return moments(2) > 0.0 ? std::sqrt(moments(2) / std::max(moments(1), 1e-12 * moments(2))) : 1.0;
+}
 }
 
 double LongEdgeShare(const TriangleMesh& mesh, const SurfacePart& part)
@@ -297,6 +311,7 @@ SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components, const Surf
     facts.boxEdges = creases.boxEdges;
     facts.border = creases.border;
     facts.creases = std::move(creases);
+    facts.elongation = IsOfFaces(facts) ? Elongation(mesh) : 1.0;
   }
   return facts;
 }
@@ -405,6 +420,9 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
     { result.facingAwayShare >= FacingAwayLimit && !usesNormals,
       "NormalBlend " + Number(Limbs) + ": " + Percent(result.facingAwayShare) +
         " of the surface faces away from the center" },
+    { isOfFaces && surface.elongation >= LongLimit && o.shape.kind == TargetKind::Sphere,
+      "Target Ellipsoid: the model is " + std::to_string(std::lround(surface.elongation)) +
+        " times as long as wide, so a ball is a bulge in its middle" },
     { isOfFaces && !result.blendsByArray && o.normalBlend > 0.0,
       "NormalBlend 0: " + faces + "stay flat when rounded limb by limb" },
     { isOfFaces && o.detailSize > 0.0, "DetailSize 0: " + faces + "stay sharp as details" },

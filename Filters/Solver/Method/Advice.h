@@ -21,6 +21,9 @@ struct SurfaceFacts
   double curvature = 0.0;     ///< integral of |Gaussian curvature| over 4 pi: 1 for convex bodies
   double cornerShare = 0.0;   ///< of that integral at points of at least Corner
   int components = 0;
+  /// How often it is as long as wide, by its moments. Only looked for on simple bodies of flat
+  /// faces.
+  double elongation = 1.0;
   double planarShare = 0.0; ///< these three as in CreaseProbes; 0 of a surface that is spread
   double boxEdges = 0.0;
   double border = 0.0;

@@ -120,6 +120,12 @@ void TestSurfaceFacts()
   CHECK_NEAR(fine.boxEdges, 4.0 * (2.0 + 4.0 + 6.0) / std::sqrt(88.0), 0.2, "sharp edges of a box");
   CHECK(fine.planarShare > 0.95 && fine.border == 0.0, "faces of a box");
   CHECK(fine.longEdgeShare == 0.0, "a fine box has no long edges: " << fine.longEdgeShare);
+  // Integral of x^2 over the faces of a box of half edges 1, 2, 3, over 8, axis by axis.
+  const auto moment = [](double a, double b, double c)
+  { return a * a * b * c + a * a * a / 3.0 * (b + c); };
+  CHECK_NEAR(
+    fine.elongation, std::sqrt(moment(3, 1, 2) / moment(2, 1, 3)), 1e-12, "how long a box is");
+  CHECK_NEAR(MeasureSurface(Meshes::Box(24), 1).elongation, 1.0, 1e-12, "how long a cube is");
 
   const TriangleMesh house = Meshes::House();
   CHECK_NEAR(MeasureSurface(house, 1).obtuseShare,
@@ -338,8 +344,16 @@ void TestOrder()
     "DetailSize 0: 67 % of the area is flat faces with sharp edges, which stay sharp as details";
   expect(edges);
   result.blendsByArray = false;
+  surface.elongation = 2.9;
   options.normalBlend = 0.0;
   expect(edges);
+  surface.elongation = 3.0;
+  expect(
+    "Target Ellipsoid: the model is 3 times as long as wide, so a ball is a bulge in its middle");
+  options.shape.kind = TargetKind::Ellipsoid;
+  expect(edges);
+  options.shape.kind = TargetKind::Sphere;
+  surface.elongation = 1.0;
   surface.curvature = 2.0;
   expect("");
   surface.cornerShare = 0.25; // of a machine part
