@@ -212,6 +212,7 @@ void pqLook::colorFirst(vtkSMPVRepresentationProxy* display)
 {
   vtkSMViewProxy* smview = this->view()->getViewProxy();
   const QByteArray array = pqColors::get(display, smview).Array;
+  vtkSMPVRepresentationProxy* before = this->model(); // is to have the colors of the result
   if (this->Names.contains(array))
   {
     pqColors::nameNumbers(display, true);
@@ -219,13 +220,15 @@ void pqLook::colorFirst(vtkSMPVRepresentationProxy* display)
   else if (this->Plain.contains(array))
   {
     pqColors::set(display, smview, {});
+    if (before && this->Plain.contains(pqColors::get(before, smview).Array))
+    {
+      pqColors::set(before, smview, {});
+    }
   }
   else if (pqColors::areShown(display))
   {
     pqColors::setMapped(display, false);
     display->SetScalarBarVisibility(smview, false);
-    // So the model before has the colors of the result.
-    vtkSMPVRepresentationProxy* before = this->model();
     if (before && pqColors::areShown(before))
     {
       pqColors::setMapped(before, false);
@@ -328,7 +331,7 @@ QString pqLook::seen() const
   if (IsVisible(before))
   {
     words << "model";
-    if (pqColors::areShown(before))
+    if (before->GetUsingScalarColoring())
     {
       words << ColorWords(before);
     }

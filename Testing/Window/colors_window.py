@@ -33,6 +33,8 @@ with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / name
         path.write_text(text, encoding="ascii")
         model = simple.OpenDataFile(str(path))
-        simple.Show(model, view)  # reads it
+        display = simple.Show(model, view)  # reads it
+        if path.suffix == ".stl":
+            simple.ColorBy(display, ("CELLS", "STLSolidLabeling"))  # as ParaView does after Apply
 simple.SetActiveSource(model)
 simple.Render(view)
