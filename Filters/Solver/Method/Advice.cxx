@@ -420,7 +420,8 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
     { result.facingAwayShare >= FacingAwayLimit && !usesNormals,
       "NormalBlend " + Number(Limbs) + ": " + Percent(result.facingAwayShare) +
         " of the surface faces away from the center" },
-    { isOfFaces && surface.elongation >= LongLimit && o.shape.kind == TargetKind::Sphere,
+    { isOfFaces && surface.elongation >= LongLimit && o.shape.kind == TargetKind::Sphere &&
+        o.targets.rows() == 0,
       "Target Ellipsoid: the model is " + std::to_string(std::lround(surface.elongation)) +
         " times as long as wide, so a ball is a bulge in its middle" },
     { isOfFaces && !result.blendsByArray && o.normalBlend > 0.0,

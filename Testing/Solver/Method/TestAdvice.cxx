@@ -353,6 +353,9 @@ void TestOrder()
   options.shape.kind = TargetKind::Ellipsoid;
   expect(edges);
   options.shape.kind = TargetKind::Sphere;
+  options.targets = Points::Zero(1, 3); // directions of one's own take no other target
+  expect(edges);
+  options.targets.resize(0, 3);
   surface.elongation = 1.0;
   surface.curvature = 2.0;
   expect("");
