@@ -29,6 +29,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -469,6 +470,10 @@ int vtkWholeSurfaceAlgorithm::RequestData(
     {
       outcome = SameSize(vtkPolyData::GetData(outputVector, 0), whole) ? GIVE_BACK : STAYS;
     }
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro(<< "gathering the surface: not enough memory");
   }
   catch (const std::exception& error)
   {

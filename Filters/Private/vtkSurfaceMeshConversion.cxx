@@ -38,8 +38,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <map>
+#include <new>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -596,6 +598,27 @@ void SumGroups(const vtkSurfaceMesh& surface, vtkDataArray* before, const std::v
   }
 }
 
+/// A new array without values. Its memory is asked for here: VTK built with assertions, as in
+/// Debian, ends the process where there is none.
+/// @throw std::bad_alloc
+vtkSmartPointer<vtkDataArray> NewArray(int type, vtkIdType tuples, int components)
+{
+  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+  array->SetNumberOfComponents(components);
+  const vtkIdType count = tuples * components;
+  if (count > 0)
+  {
+    const auto size = static_cast<std::size_t>(array->GetDataTypeSize());
+    void* values = std::malloc(static_cast<std::size_t>(count) * size);
+    if (!values)
+    {
+      throw std::bad_alloc();
+    }
+    array->SetVoidArray(values, count, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  }
+  return array;
+}
+
 /// Normals of the moved surface; points that no moved triangle touches keep theirs.
 void ReplacePointNormals(
   vtkPolyData* output, const vtkSurfaceMesh& surface, const Points& Q, bool generate)
@@ -615,11 +638,9 @@ void ReplacePointNormals(
   SumGroups(surface, before, group, place, n, moved);
   SphericalStyle::NormalizeSums(n);
 
-  auto normals = vtk::TakeSmartPointer(
-    before ? before->NewInstance() : vtkDataArray::CreateDataArray(VTK_FLOAT));
+  auto normals =
+    NewArray(before ? before->GetDataType() : VTK_FLOAT, static_cast<vtkIdType>(group.size()), 3);
   normals->SetName(before && before->GetName() ? before->GetName() : "Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(static_cast<vtkIdType>(group.size()));
   const double none[3] = { 0.0, 0.0, 0.0 };
   for (std::size_t i = 0; i < group.size(); ++i)
   {
@@ -667,14 +688,12 @@ void ReplaceCellNormals(vtkPolyData* output, const std::vector<char>& moved)
 }
 
 /// A new array. @param value  (tuple, component) -> double
-/// @param what  tuple -> its name in the message @throw std::range_error
+/// @param what  tuple -> its name in the message @throw std::range_error std::bad_alloc
 template <typename Value, typename What>
 vtkSmartPointer<vtkDataArray> NewArray(
   int type, vtkIdType tuples, int components, const Value& value, const What& what)
 {
-  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
+  auto array = NewArray(type, tuples, components);
   vtkIdType beyond = -1; // the first tuple that has no number
   const auto fill = [&](auto* typed)
   {
