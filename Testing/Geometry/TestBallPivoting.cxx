@@ -334,6 +334,25 @@ void TestOpenSheet()
   CHECK(back.rows() == 200, "its back has " << back.rows() << " triangles");
 }
 
+// A larger ball goes on from a triangle only if it can lie there: over the triangle abc hangs a
+// point that the second ball would hold, so that it never gets to d. What hangs there, and d, face
+// the other way: they are no places to start from.
+void TestNoRoomToGoOn()
+{
+  const Points P = Meshes::Make(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, -0.8, 0 }, { 0.5, 1, 0 }, { 0.5, -1, 1.2 } }, {})
+                     .P;
+  Points normals = Points::Zero(5, 3);
+  normals.col(2) << 1, 1, 1, -1, -1;
+  const Triangles F = BallPivoting(P, normals, { 0.6, 1.0 });
+  CHECK(F.rows() == 1 && F.maxCoeff() == 2,
+    "with no room for the second ball there should be one "
+      << "triangle, are " << F.rows());
+  Points free = P;
+  free(4, 2) = 5.0;
+  CHECK(BallPivoting(free, normals, { 0.6, 1.0 }).rows() == 2, "with room it should get to d");
+}
+
 Triangles Without(const Triangles& F, const std::set<Eigen::Index>& removed)
 {
   Triangles kept(F.rows() - static_cast<Eigen::Index>(removed.size()), 3);
@@ -557,6 +576,7 @@ int main()
   TestDuplicates(surfaces[0]);
   TestOpenSheet();
   TestHoles();
+  TestNoRoomToGoOn();
   TestOddInputs();
   TestIsClosedManifold();
   for (const int k : { 0, 1, 2 }) // the sides of the plate are too near to each other

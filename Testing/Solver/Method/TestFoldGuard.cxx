@@ -268,6 +268,36 @@ void TestDumbbell()
     "the same bits with three threads");
 }
 
+// Raising a share at one point folds much at others, until they have lost more than was won: what
+// was there before stays.
+void TestNoGain()
+{
+  const TriangleMesh mesh = Meshes::Icosphere(2);
+  const int point = 11;
+  const std::vector<int> others = { 3, 40, 77, 120 };
+  Points folded = mesh.P, foldedElsewhere = mesh.P;
+  DrawOver(mesh, point, folded);
+  for (const int other : others)
+  {
+    DrawOver(mesh, other, foldedElsewhere);
+  }
+  int solves = 0;
+  Eigen::VectorXd accepted;
+  const FoldGuardReport report = SolveWithoutFolds(mesh, {}, NoPairs,
+    [&](const Eigen::VectorXd& shares)
+    {
+      if (++solves == 1)
+      {
+        return folded;
+      }
+      accepted = solves == 2 ? shares : accepted;
+      return shares(point) > 0.55 && shares(others[0]) > 0.38 ? foldedElsewhere : mesh.P;
+    });
+  CHECK(solves > 5, "it should be tried to raise, there were " << solves << " solves");
+  CHECK(!report.after.Any() && !report.blended, "no folds");
+  CHECK(report.shares == accepted, "the shares should be those of the first result without folds");
+}
+
 // A solve that folds whatever the shares are: the way back to the rest shape.
 void TestLastResort()
 {
@@ -327,6 +357,7 @@ int main()
   TestFinder();
   TestClean();
   TestDumbbell();
+  TestNoGain();
   TestLastResort();
   TestAbort();
   return CheckResult();

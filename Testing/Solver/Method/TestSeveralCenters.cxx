@@ -112,6 +112,18 @@ void TestShares()
       CHECK(smooth.row(i).minCoeff() >= 0.0, name << ": shares should not be negative");
     }
   }
+  // Obtuse triangles, and one point on its own: beside it the smooth shares would be below 0.
+  TriangleMesh sheared = Meshes::Patch(12, 0.0);
+  sheared.P.col(0) += 3.0 * sheared.P.col(1);
+  std::vector<int> alone(sheared.P.rows(), 0);
+  alone[6 * 13 + 6] = 1;
+  const Eigen::MatrixXd beside =
+    CenterShares(sheared.P, MeshTopology(sheared.F, static_cast<int>(sheared.P.rows())),
+      HalfEdgeCotangents(sheared.P, sheared.F), 0.3, alone, 2);
+  CHECK(beside.minCoeff() == 0.0, "shares below 0 should be 0, not " << beside.minCoeff());
+  CHECK_NEAR(beside.rowwise().sum().maxCoeff(), 1.0, 1e-14, "and the others add up to 1");
+  CHECK_NEAR(beside.rowwise().sum().minCoeff(), 1.0, 1e-14, "and the others add up to 1");
+
   // On a strip far longer than the blend two steps give 1/2 at the border and e^-x (1 + x / 2) / 2
   // from there on, x = distance over size.
   const TriangleMesh patch = Meshes::Scaled(Meshes::Patch(120, 0.0), { 10.0, 0.5, 1.0 });
@@ -232,6 +244,24 @@ void TestOneCenterGivenBack()
         "a " << a << ", blend " << blend << ": three given centers");
     }
   }
+}
+
+// Another edge weighting has other triangles, and with them other shares.
+void TestSharesOfOtherTriangles()
+{
+  const TriangleMesh mesh = Meshes::Slivers();
+  StyleOptions options = WithIds(Fixed({}, 3), IdsAlong(mesh.P, Vector3d(1, 0, 0), { 0.4 }), 0.1);
+  StyleSolver solver;
+  solver.SetMesh(mesh);
+  solver.Solve(options);
+  const Points before = solver.GetPositions();
+  options.edgeWeighting = EdgeWeighting::IntrinsicDelaunay;
+  solver.Solve(options);
+  CHECK(Meshes::SameBits(solver.GetPositions(), Solved(mesh, options)),
+    "a solver that has solved with other triangles should forget their shares");
+  options.edgeWeighting = EdgeWeighting::HalfEdge;
+  solver.Solve(options);
+  CHECK(Meshes::SameBits(solver.GetPositions(), before), "and take the former ones again");
 }
 
 // At lambda 1e9 and a = 0 an edge is its target, where the targets fit together: two parts that
@@ -381,6 +411,7 @@ int main()
   TestShares();
   TestSpheresOfParts();
   TestOneCenterGivenBack();
+  TestSharesOfOtherTriangles();
   TestTwoBalls();
   TestSnowman();
   TestSphereOfFreePoints();
