@@ -250,6 +250,35 @@ void Pair(Checker& check)
   m.Expect(check, "DihedralChange", 0.0, 1e-5);
 }
 
+/// An octahedron whose top is two points.
+Surface MakeOctahedron(double gap)
+{
+  return MakeSurface({ { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
+                       { 0, 0, -1 }, { 0, 0, 1 + gap } },
+    { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 6 }, { 3, 0, 6 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 },
+      { 0, 3, 5 } });
+}
+
+/// A closed surface has a volume, and its ratio needs that of both.
+void OpenSeam(Checker& check)
+{
+  check.About("a seam that is open in the reference");
+  WatchedMetrics opened(MakeOctahedron(0.0), MakeOctahedron(0.5));
+  opened.Expect(check, "Closed", 1);
+  opened.Expect(check, "Volume", 4.0 / 3.0, 1e-14);
+  check(opened.Has("VolumeRatio") && std::isnan(opened["VolumeRatio"]),
+    "an open reference should have no volume");
+
+  check.About("a seam that is open in the surface");
+  WatchedMetrics open(MakeOctahedron(0.5), MakeOctahedron(0.0));
+  open.Expect(check, "Closed", 0);
+  check(open.Has("VolumeRatio") && std::isnan(open["VolumeRatio"]), "nor should the surface");
+
+  check.About("a seam that is closed in both");
+  WatchedMetrics closed(MakeOctahedron(0.0), MakeOctahedron(0.0));
+  closed.Expect(check, "VolumeRatio", 1.0, 1e-14);
+}
+
 /// One point of a fine sheet pulled across its neighbors, and the sheet turned.
 void TurnedOver(Checker& check)
 {
@@ -472,6 +501,7 @@ int TestSurfaceMetricsValues(int, char*[])
   Ball(check);
   Obtuse(check);
   Pair(check);
+  OpenSeam(check);
   TurnedOver(check);
   Thickness(check);
   Invariance(check);

@@ -85,8 +85,8 @@ def triangles(surface):
 class Piece:
     """The cells of a model that one process has, and which points and cells of the model those are."""
 
-    def __init__(self, whole, owner, global_ids=False, ghost_levels=0):
-        """owner: the process of each cell"""
+    def __init__(self, whole, owner, global_ids=False, ghost_levels=0, last_owns=False):
+        """owner: the process of each cell. A point belongs to the first of the processes of its cells, or to the last."""
         corners = triangles(whole)
         has = owner == RANK
         for _ in range(ghost_levels):
@@ -112,8 +112,8 @@ class Piece:
                 array.SetName("GlobalIds")
                 attributes.SetGlobalIds(array)
         if ghost_levels > 0:
-            point_owner = np.full(whole.GetNumberOfPoints(), RANKS)
-            np.minimum.at(point_owner, corners.ravel(), np.repeat(owner, 3))
+            point_owner = np.full(whole.GetNumberOfPoints(), -1 if last_owns else RANKS)
+            (np.maximum if last_owns else np.minimum).at(point_owner, corners.ravel(), np.repeat(owner, 3))
             add(self.data.GetCellData(), GHOSTS, (owner[self.cells] != RANK).astype(np.uint8))
             add(self.data.GetPointData(), GHOSTS, (point_owner[self.points] != RANK).astype(np.uint8))
 
@@ -603,6 +603,58 @@ def check_gathered():
     run = Run(Style, large, ReproduceThesis=True)
     words = f"gathered on the first process, since this needs all of it: {RANKS * many} points and {RANKS} cells, "
     assert not run.errors and [words in text for text in run.told if "gathered" in text] == [True] * (RANK == 0), run.told
+
+
+def check_owners():
+    """Where a surface is gathered, what counts of a point is what its owner has, and a cell without an owner has none."""
+    def factors(filter_):
+        filter_.SetInputArrayToProcess(1, 0, 0, 0, "factor")
+    whole = vtkPolyData()
+    whole.ShallowCopy(small)
+    add(whole.GetPointData(), "factor", 0.5 + coordinates(small)[:, 1] ** 2)
+    add(whole.GetCellData(), "Normals", np.tile([0.0, 0.0, 1.0], (small.GetNumberOfCells(), 1)))
+    whole.GetCellData().SetActiveNormals("Normals")
+    owner = in_slices(whole)
+    alone = AloneRun(Style, whole, prepare=factors, **ITERATES)
+    for last_owns in (False, True):
+        piece = Piece(whole, owner, ghost_levels=1, last_owns=last_owns)
+        ghosts = vtk_to_numpy(piece.data.GetPointData().GetArray(GHOSTS)) > 0
+        assert ghosts.any()
+        vtk_to_numpy(piece.data.GetPointData().GetArray("factor"))[ghosts] = 1e3
+        run = Run(Style, piece.data, prepare=factors, **ITERATES)
+        assert not run.errors and not alone.errors, run.errors
+        found = greatest(difference(coordinates(run.output), coordinates(alone.output)[piece.points]))
+        assert found <= TOLERANCE * np.ptp(coordinates(whole)), (last_owns, found)
+
+    corners = triangles(whole)
+    beside = (owner == 1) & np.isin(corners, corners[owner == 0]).any(axis=1)
+    lost = np.flatnonzero(beside)[0]
+    piece = Piece(whole, owner, ghost_levels=1)
+    at = np.flatnonzero(piece.cells == lost)
+    vtk_to_numpy(piece.data.GetCellData().GetArray(GHOSTS))[at] = 1
+    run = Run(Style, piece.data, **ITERATES)
+    lengths = np.linalg.norm(vtk_to_numpy(run.output.GetCellData().GetNormals()), axis=1)
+    assert not run.errors and (lengths[at] == 0.0).all() and np.allclose(np.delete(lengths, at), 1.0), lengths[at]
+    assert greatest(at.size) == 1.0 and (RANK > 1 or at.size == 1), "the first two processes should have the cell"
+
+
+def check_zeros():
+    """A point at 0 is one point, also where a process has it at -0, and without welding."""
+    owner = in_slices(small)
+    corners = triangles(small)
+    shared = np.intersect1d(corners[owner == 0], corners[owner != 0])
+    moved = vtkPolyData()
+    moved.DeepCopy(small)
+    vtk_to_numpy(moved.GetPoints().GetData())[:] -= vtk_to_numpy(moved.GetPoints().GetData())[shared[0]].copy()
+    options = {"WeldCoincidentPoints": False, **ITERATES}
+    alone = AloneRun(sphericalstyle.vtkThesisStyleFilter, moved, **options)
+    piece = Piece(moved, owner)
+    places = vtk_to_numpy(piece.data.GetPoints().GetData())
+    places[places == 0.0] = -0.0 if RANK % 2 else 0.0
+    run = Run(sphericalstyle.vtkThesisStyleFilter, piece.data, **options)
+    assert not run.errors and not alone.errors, run.errors
+    found = greatest(difference(coordinates(run.output), coordinates(alone.output)[piece.points]))
+    assert found <= TOLERANCE * np.ptp(coordinates(moved)), found
 
 
 def check_seams():
@@ -1129,9 +1181,10 @@ def check_faults():
 
 
 try:
-    checks = (check_one_surface, check_parts, check_bytes, check_preview, check_gathered, check_seams, check_region,
-              check_further_ports, check_other_cells, check_measures, check_measured_faults, check_gauss_map,
-              check_every_output, check_diagnosis, check_volume, check_time_series, check_blocks, check_faults)
+    checks = (check_one_surface, check_parts, check_bytes, check_preview, check_gathered, check_owners, check_zeros,
+              check_seams, check_region, check_further_ports, check_other_cells, check_measures, check_measured_faults,
+              check_gauss_map, check_every_output, check_diagnosis, check_volume, check_time_series, check_blocks,
+              check_faults)
     for check in [check for check in checks if not sys.argv[2:] or check.__name__ in sys.argv[2:]]:
         begin = time.monotonic()
         check()
