@@ -194,7 +194,7 @@ void PartFinder::MakePairs()
   const auto key = [](const Cell& c)
   {
     constexpr std::int64_t Width = std::int64_t{ 1 } << 20;
-    return (c[0] + Width / 2) + Width * ((c[1] + Width / 2) + Width * (c[2] + Width / 2));
+    return c[0] + Width * (c[1] + Width * c[2]); // cells are at most Width / 2 from the middle
   };
   const int m = static_cast<int>(this->Count());
   const Points& places = this->Grid.GetPlaces();

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Parts with a style of their own keep together [styles]: what styles that are the same everywhere
-// lead to, and a long rod, where the place of each point is an integral along the axis.
+// lead to, and a long rod, where the place of each point is an integral along the axis. And the
+// shares of parts [centers], there and along a strip.
 #include "Check.h"
+#include "Frame.h"
 #include "Meshes.h"
+#include "PartShares.h"
 #include "SphericalStyleMethod.h"
 #include "SurfaceMeasures.h"
 
@@ -54,6 +57,52 @@ Points Rounded(const TriangleMesh& mesh, MethodOptions options)
   method.SetMesh(mesh);
   method.Solve(options);
   return method.GetPositions();
+}
+
+/// On a strip far longer than s two smoothing steps give 1/2 at the border and e^-x (1 + x / 2) / 2
+/// from there on, x = distance over s.
+void TestShares()
+{
+  TriangleMesh strip = Meshes::Scaled(Meshes::Patch(100, 0.0), { 10.0, 0.5, 1.0 });
+  strip.P = FrameOf(strip.P).Into(strip.P);
+  const Eigen::Index n = strip.P.rows();
+  strip.P.conservativeResize(n + 1, 3); // a point of no triangle, in a cell of its own
+  strip.P.row(n) << 0.0, 0.0, 10.0;
+  std::vector<int> parts(n + 1, 2);
+  double below = -1.0, above = 1.0;
+  for (Eigen::Index i = 0; i < n; ++i)
+  {
+    const double x = strip.P(i, 0);
+    parts[i] = x < 0.0 ? 0 : 1;
+    double& side = x < 0.0 ? below : above;
+    side = x < 0.0 ? std::max(side, x) : std::min(side, x);
+  }
+  const Fields step = PartShares(parts, 3);
+  for (Eigen::Index i = 0; i <= n; ++i)
+  {
+    CHECK(step(i, parts[i]) == 1.0 && step.row(i).sum() == 1.0, "point " << i << " is of one part");
+  }
+
+  constexpr double Size = 0.05;
+  SurfaceGrid grid(strip.P, strip.F, Size, 1);
+  grid.FactorAlong(1);
+  const Fields smooth = SmoothShares(grid, step, strip.P, 1);
+  const double border = 0.5 * (below + above);
+  double worst = 0.0;
+  for (Eigen::Index i = 0; i < n; ++i)
+  {
+    CHECK(smooth.row(i).minCoeff() >= 0.0, "no share below 0 at point " << i);
+    CHECK_NEAR(smooth.row(i).sum(), 1.0, 1e-14, "sum of the shares of point " << i);
+    const double x = std::abs(strip.P(i, 0) - border) / Size;
+    if (x < 6.0)
+    {
+      const double expected = 0.5 * std::exp(-x) * (1.0 + 0.5 * x);
+      worst = std::max(worst, std::abs(smooth(i, 1 - parts[i]) - expected));
+    }
+  }
+  std::cout << "shares along a strip: off by " << worst << " at most\n";
+  CHECK(worst < 0.003, "shares along a strip are off by " << worst);
+  CHECK((smooth.row(n).array() == step.row(n).array()).all(), "where there is no grid they stay");
 }
 
 /// Styles that are the same everywhere are those of the model.
@@ -164,6 +213,7 @@ void TestBlendsOfRod()
 
 int main()
 {
+  TestShares();
   TestSameEverywhere();
   TestLengthOfRod();
   TestBlendsOfRod();
