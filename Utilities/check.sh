@@ -179,6 +179,21 @@ columns()
     END { exit bad }' "${found[@]}" >&2
 }
 
+# Checks that every row of a table has as many cells as the first one and is one line, and that an empty line follows.
+tables()
+{
+  files '*.md'
+  awk 'function wrong(what) { print FILENAME ":" FNR ": " what; bad = 1 }
+    function bars(row) { gsub(/\\\|/, "", row); return gsub(/\|/, "", row) }
+    FNR == 1 || /^ *```/ { cells = 0 }
+    /^ *\|( *:?-+:? *\|)+$/ { cells = bars(before) }
+    cells && !/^ *\|/ && /[^ ]/ { wrong("text right after a table, or a row in two lines") }
+    !/^ *\|/ { cells = 0 }
+    cells && bars($0) != cells { wrong(bars($0) - 1 " cells in a table of " cells - 1) }
+    { before = $0 }
+    END { exit bad }' "${found[@]}" >&2
+}
+
 run_tidy()
 {
   local log
@@ -199,6 +214,7 @@ if [ -z "$tidy" ]; then
   check "YAML" yaml
   check "documentation" documentation
   check "columns" columns
+  check "tables" tables
 fi
 [ -n "$quick" ] || check "clang-tidy" run_tidy
 exit $status

@@ -7,7 +7,7 @@ A change that no test notices (a survivor) is a place that nothing checks, or on
 Which changes are made follows from the sources and the seed alone. Files are changed in place and put back, so use a
 clone that nothing else uses, with a build whose tests pass:
 
-    cmake --preset release -DCMAKE_UNITY_BUILD=OFF && cmake --build build
+    cmake --preset release -DCMAKE_UNITY_BUILD=OFF -DCMAKE_LINK_DEPENDS_NO_SHARED=ON && cmake --build build
     Utilities/mutate.py build --count 200
 
 Results are appended to a file; started again, the script goes on after the last one. Each change is tried with the
@@ -133,7 +133,7 @@ class Tests:
             check=False,
             capture_output=True,
             text=True,
-            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)),
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, resource.RLIM_INFINITY)),
         )
         failed = re.search(r"^\s*\d+ - (\S+) \((.*)\)$", run.stdout, re.MULTILINE)
         if run.returncode == 0:

@@ -99,7 +99,8 @@ step_mutations()
   local clone=$build/mutations
   [ -d "$clone" ] || git clone --quiet "$project" "$clone"
   cd "$clone"
-  cmake --preset release -DCMAKE_UNITY_BUILD=OFF -DSPHERICALSTYLE_BUILD_TESTING=ON -DPython3_EXECUTABLE=/usr/bin/python3
+  cmake --preset release -DCMAKE_UNITY_BUILD=OFF -DCMAKE_LINK_DEPENDS_NO_SHARED=ON -DSPHERICALSTYLE_BUILD_TESTING=ON \
+    -DPython3_EXECUTABLE=/usr/bin/python3
   cmake --build build
   Utilities/mutate.py build --count "${RELEASE_MUTATIONS:-200}"
 }

@@ -37,16 +37,18 @@ class Checks:
     """Claims that hold or do not; the exit code says whether all did."""
 
     def __init__(self):
+        self.made = 0
         self.failures = 0
 
     def __call__(self, good, claim):
+        self.made += 1
         if not good:
             self.failures += 1
             print("ERROR: should hold:", claim)
 
     def exit(self):
-        print(f"{self.failures} claims do not hold" if self.failures else "all claims hold")
-        sys.exit(1 if self.failures else 0)
+        print(f"{self.failures} of {self.made} claims do not hold" if self.failures else f"all {self.made} claims hold")
+        sys.exit(1 if self.failures or not self.made else 0)
 
 
 def parser(description):
