@@ -11,8 +11,9 @@ clone that nothing else uses, with a build whose tests pass:
     Utilities/mutate.py build --count 200
 
 Results are appended to a file; started again, the script goes on after the last one. Each change is tried with the
-test of the file's name, then with those of its folder (Solver or Geometry), then with the quick ones of Cxx. Headers
-are not changed: half of the project would be built again.
+tests of the file's name, then with those of its folder (such as Solver/Mesh), the quick ones of Solver or Geometry, the
+quick ones of Cxx, and with a surface that is spread over two processes. Headers are not changed: half of the project
+would be built again.
 """
 import argparse
 import collections
@@ -37,6 +38,7 @@ WORD = re.compile(r"std::(?:min|max)\(|\b(?:true|false)\b")
 CONSTANT = re.compile(r"(?<![\w.<\[])(?:\d+\.\d*(?:e[-+]?\d+)?|\d+)(?![\w.>\]])")
 CONDITION = re.compile(r"\bif \(")
 GROUPS = ("Solver.", "Geometry.", "Cxx.")
+SPREAD = "ParaView.SurfaceInParts2"
 TESTS_AT_ONCE = 12
 SLOW = 20.0  # seconds of a test that is left out, unless it has the file's name
 LIMIT = 120  # seconds, of a test that was changed into an endless loop
@@ -110,18 +112,21 @@ class Tests:
         return [name for name, cost in self.Costs.items() if name.startswith(GROUPS) and cost <= SLOW]
 
     def batches_for(self, path):
-        own = [name for name in self.Costs if name.endswith(f".Test{path.stem.removeprefix('vtk')}")]
+        own = f"Test{path.stem.removeprefix('vtk')}"
+        beside = {test.stem for test in (ROOT / "Testing" / folder_of(path)).glob("Test*.cxx")}
         first = folder_of(path).split("/")[0]
         groups = [first, "Cxx"] if first in ("Solver", "Geometry") else ["Cxx"]
-        yield own
-        for group in groups:
-            rest = [
-                name
-                for name, cost in sorted(self.Costs.items(), key=lambda item: item[1])
-                if name.startswith(group + ".") and cost <= SLOW and name not in own
-            ]
-            for k in range(0, len(rest), TESTS_AT_ONCE):
-                yield rest[k : k + TESTS_AT_ONCE]
+        left = sorted(self.Costs, key=self.Costs.get)
+        for chosen in (
+            lambda group, test: test.startswith(own),
+            lambda group, test: test in beside,
+            *(lambda group, test, g=g: group == g and self.Costs[f"{g}.{test}"] <= SLOW for g in groups),
+            lambda group, test: f"{group}.{test}" == SPREAD,
+        ):
+            batch = [name for name in left if chosen(*name.split(".", 1))]
+            left = [name for name in left if name not in batch]
+            for k in range(0, len(batch), TESTS_AT_ONCE):
+                yield batch[k : k + TESTS_AT_ONCE]
 
     def first_failure(self, names):
         if not names:
