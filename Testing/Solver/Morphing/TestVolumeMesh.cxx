@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "Volumes.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 using namespace Volumes;
@@ -70,6 +71,55 @@ void TestShearedCube()
     sheared.col(0) += std::tan(angle) * mesh.P.col(2);
     CHECK_NEAR(ScaledJacobian(mesh, 0, sheared), std::cos(angle), 1e-14, "sheared by " << angle);
   }
+}
+
+// det of the columns over the product of their lengths
+double Normalized(const Eigen::Matrix3d& edges)
+{
+  return edges.determinant() / edges.colwise().norm().prod();
+}
+
+// A hexahedron is as good as the worst of its corners and of its middle, where the map from the
+// unit cube has the slope that is its mean over the edges.
+void TestAnyHexahedra()
+{
+  const VolumeMesh cube = MakeBestCell(CellShape::Hexahedron);
+  Meshes::Random random(11);
+  int middles = 0;
+  for (int trial = 0; trial < 500; ++trial)
+  {
+    // Twisted by up to half a turn, which only the middle notices.
+    const Eigen::Rotation2Dd twist(Pi * random.Unit());
+    Points P = cube.P.rowwise() - Eigen::RowVector3d(0.5, 0.5, 0.0);
+    for (int i = 0; i < 8; ++i)
+    {
+      if (cube.P(i, 2) == 1.0)
+      {
+        P.row(i).head<2>() = (twist * P.row(i).head<2>().transpose()).transpose().eval();
+      }
+      P.row(i) += 0.2 * random.InCube().transpose();
+    }
+    double corners = 2.0;
+    Eigen::Matrix3d middle = Eigen::Matrix3d::Zero();
+    for (int i = 0; i < 8; ++i)
+    {
+      Eigen::Matrix3d edges;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        Eigen::RowVector3d other = cube.P.row(i);
+        other(axis) = 1.0 - other(axis);
+        Eigen::Index j = 0;
+        (cube.P.rowwise() - other).rowwise().squaredNorm().minCoeff(&j);
+        edges.col(axis) = (P.row(j) - P.row(i)) * (cube.P(i, axis) == 0.0 ? 1.0 : -1.0);
+      }
+      corners = std::min(corners, Normalized(edges));
+      middle += edges / 8.0;
+    }
+    middles += Normalized(middle) < corners ? 1 : 0;
+    CHECK_NEAR(ScaledJacobian(cube, 0, P), std::min(corners, Normalized(middle)), 1e-13,
+      "hexahedron " << trial);
+  }
+  CHECK(middles > 0, "a middle should be worse than the corners, of " << middles);
 }
 
 void TestBoundary()
@@ -163,6 +213,7 @@ int main()
 {
   TestBestCells();
   TestShearedCube();
+  TestAnyHexahedra();
   TestBoundary();
   TestCollapsedHexahedron();
   TestOrientation();
