@@ -638,6 +638,18 @@ def check_owners():
     assert greatest(at.size) == 1.0 and (RANK > 1 or at.size == 1), "the first two processes should have the cell"
 
 
+def check_still():
+    """Factors of 0 leave the model as it is, to the bit, also where a process has none of it."""
+    owner = np.maximum(in_slices(small), 1)
+    still = vtkPolyData()
+    still.ShallowCopy(small)
+    add(still.GetPointData(), "factor", np.zeros(small.GetNumberOfPoints()))
+    piece = Piece(still, owner)
+    run = Run(Style, piece.data, prepare=lambda f: f.SetInputArrayToProcess(1, 0, 0, 0, "factor"))
+    assert not run.errors and (piece.points.size == 0) == (RANK == 0), run.errors
+    assert difference(coordinates(run.output), coordinates(piece.data)) == 0.0
+
+
 def check_zeros():
     """A point at 0 is one point, also where a process has it at -0, and without welding."""
     owner = in_slices(small)
@@ -1181,10 +1193,10 @@ def check_faults():
 
 
 try:
-    checks = (check_one_surface, check_parts, check_bytes, check_preview, check_gathered, check_owners, check_zeros,
-              check_seams, check_region, check_further_ports, check_other_cells, check_measures, check_measured_faults,
-              check_gauss_map, check_every_output, check_diagnosis, check_volume, check_time_series, check_blocks,
-              check_faults)
+    checks = (check_one_surface, check_parts, check_bytes, check_preview, check_gathered, check_owners, check_still,
+              check_zeros, check_seams, check_region, check_further_ports, check_other_cells, check_measures,
+              check_measured_faults, check_gauss_map, check_every_output, check_diagnosis, check_volume,
+              check_time_series, check_blocks, check_faults)
     for check in [check for check in checks if not sys.argv[2:] or check.__name__ in sys.argv[2:]]:
         begin = time.monotonic()
         check()
