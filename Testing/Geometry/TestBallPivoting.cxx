@@ -345,9 +345,7 @@ void TestNoRoomToGoOn()
   Points normals = Points::Zero(5, 3);
   normals.col(2) << 1, 1, 1, -1, -1;
   const Triangles F = BallPivoting(P, normals, { 0.6, 1.0 });
-  CHECK(F.rows() == 1 && F.maxCoeff() == 2,
-    "with no room for the second ball there should be one "
-      << "triangle, are " << F.rows());
+  CHECK(F.rows() == 1 && F.maxCoeff() == 2, "the second ball has no room: " << F.rows());
   Points free = P;
   free(4, 2) = 5.0;
   CHECK(BallPivoting(free, normals, { 0.6, 1.0 }).rows() == 2, "with room it should get to d");
