@@ -10,8 +10,8 @@ at random, or all on the last process. Each process also has the whole. Times ar
 a processor works, in milliseconds, with one thread, the least of several: rounded alone by the first process; spread,
 the sum of all processes; the same again with another Roundness. Waiting for others counts as work. Memory is the peak
 of an execution above what the process had before it, in MB: alone; spread, that of the process with most, and the mean.
-A process keeps memory, so measure one size at a time for it. Then the most kB that a process has sent and received,
-and the largest difference of a point from the result of one process, as a fraction of the diagonal.
+Then the most kB that a process has sent and received, and the largest difference of a point from the result of one
+process, as a fraction of the diagonal.
 
 --limit shows what a surface needs that is too large for one process: it gathers the surface, then limits the address
 space of each process to what it has and a third of what that took, and rounds the surface in parts and gathered again.
@@ -21,6 +21,7 @@ No process has the whole then.
 says for each the times alone and spread, the memory and the most kB sent and received.
 """
 import argparse
+import ctypes
 import pathlib
 import resource
 import sys
@@ -110,7 +111,10 @@ def memory(what):
 
 
 def forget_peak():
+    """@return MB that the process has now, without what it has freed and kept"""
+    ctypes.CDLL(None).malloc_trim(0)
     pathlib.Path("/proc/self/clear_refs").write_text("5", encoding="ascii")
+    return memory("VmRSS")
 
 
 def largest_difference(whole, part, used):
@@ -139,8 +143,7 @@ def execute(data, mpi, arguments, again=False):
         style.Update()
         style.SetRoundness(1.2)
     controller.Barrier()
-    before = memory("VmRSS")
-    forget_peak()
+    before = forget_peak()
     start = time.process_time()
     style.Update()
     used = 1e3 * (time.process_time() - start)
@@ -157,8 +160,7 @@ def measured(Filter, data, mpi):
     if Filter is vtkSurfaceMetrics:
         filter_.SetReferenceData(data)
     controller.Barrier()
-    before = memory("VmRSS")
-    forget_peak()
+    before = forget_peak()
     start = time.process_time()
     filter_.Update()
     used = 1e3 * (time.process_time() - start)
@@ -201,8 +203,7 @@ def try_to_round(part, gathered):
     style.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
     style.SetInputData(part)
     controller.Barrier()
-    before = memory("VmRSS")
-    forget_peak()
+    before = forget_peak()
     style.Update()
     peak = memory("VmHWM") - before
     if errors:
