@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkStyleReview.h"
 
+#include "ClosedFormStyle.h"
 #include "SurfaceGrid.h"
 #include "SurfaceMeasures.h"
 #include "vtkFilterSupport.h"
 #include "vtkStyleHistory.h"
 #include "vtkTargetSphere.h"
 
-#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -86,8 +86,8 @@ std::string NormalsRemark(const vtkSurfaceMesh& surface, const Points& normals)
   return text.str();
 }
 
-/// With directions from one center the closed form [blend] brings no two points nearer than to
-/// 1 / (1 + sqrt(3) lambda) of their distance, but for the size of a triangle.
+/// With directions from one center the closed form [blend] brings no two points nearer than to what
+/// is left of their way, but for the size of a triangle.
 bool CannotThin(const MethodOptions& o, const StyleReport& report)
 {
   if (report.closedForm && o.detailSize > 0.0)
@@ -96,7 +96,7 @@ bool CannotThin(const MethodOptions& o, const StyleReport& report)
   }
   return report.closedForm && o.normalBlend == 0.0 && o.normalBlends.size() == 0 &&
     o.targets.rows() == 0 && o.Factors().size() == 0 &&
-    1.0 / (1.0 + std::sqrt(3.0) * o.lambda) >= ThinnedBelow;
+    1.0 - SphericalStyle::ShareOfWay(o.lambda) >= ThinnedBelow;
 }
 }
 

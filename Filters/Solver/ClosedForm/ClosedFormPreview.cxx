@@ -139,8 +139,7 @@ void ClosedFormPreview::TakeMeans(const ModelAtRest& model, int threads)
 BaseSlopes ClosedFormPreview::SlopesOf(const ClosedFormOptions& o, const Sphere& sphere,
   const SurfaceGrid& grid, const BaseSlopes& slopes) const
 {
-  const double mu = std::sqrt(3.0) * o.lambda;
-  const double moved = mu / (1.0 + mu);
+  const double moved = ShareOfWay(o.lambda);
   const double a = o.normalBlend;
   const bool own = o.normalRadius == NormalRadius::OwnThickness;
   BaseSlopes after;
@@ -289,8 +288,7 @@ double ClosedFormPreview::Place(
 ClosedFormResult ClosedFormPreview::Solve(const ClosedFormOptions& o, const Sphere& sphere,
   const SurfaceGrid& grid, const BaseSlopes& slopes, const SurfacePart& part, double& scale) const
 {
-  const double mu = std::sqrt(3.0) * o.lambda;
-  const double share = mu / (1.0 + mu);
+  const double share = ShareOfWay(o.lambda);
   const double a = o.normalBlend;
   std::vector<int> onCenter;
   ClosedFormResult result;

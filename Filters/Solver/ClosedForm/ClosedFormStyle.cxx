@@ -668,12 +668,11 @@ Points MovesOf(const SurfaceGrid& grid, const Fields& slope, const Points& P, in
   const Fields none = Fields::Zero(grid.GetNumberOfSamples(), 3);
   return grid.AtPoints(grid.Solve(none, slope, threads), P, threads);
 }
+}
 
-/// The share of its way to the target that a point goes [toy].
 double ShareOfWay(double lambda)
 {
   return 1.0 - 1.0 / (1.0 + std::sqrt(3.0) * lambda);
-}
 }
 
 /// Several centers: parts keep together. Where the shares change, the targets of the centers do not

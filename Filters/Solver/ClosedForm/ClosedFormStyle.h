@@ -32,6 +32,10 @@ struct DetailOptions
   bool keepRotations = false; ///< R is wanted
 };
 
+/// The share of its way to the target that a point goes: mu / (1 + mu), mu = sqrt(3) lambda [toy].
+/// @param lambda  0 or more @return 0..1
+double ShareOfWay(double lambda);
+
 /// What is wanted, in the units of the frame.
 struct ClosedFormOptions
   : TargetOptions
