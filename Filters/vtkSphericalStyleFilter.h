@@ -106,7 +106,7 @@
  *
  * Cost: a pass over the triangles, sums over the samples of a grid, and a factor of one to some ten
  * thousand unknowns, whatever the number of points; it is kept between executions, so that a new
- * Roundness, Center or NormalBlend takes about a tenth of the first result (.3 s at 949 000 points
+ * Roundness, Center or NormalBlend takes about a tenth of the first result (.2 s at 949 000 points
  * on one thread). The energy costs a sparse factorization of the mesh (about n log n), then per
  * iteration one rotation per point and one triangular solve.
  *
