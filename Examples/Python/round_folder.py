@@ -15,8 +15,9 @@ regardless of the names of the models and of links in OUTPUT.
 
 If the script is killed, the same command continues: what is done is not done again, and what was half done is. Models
 that have changed since are rounded again, and all of them if the properties are others. OUTPUT/.round_folder has the
-journal until all models are done. A process that shows no sign of life within --limit is given up: one of the others
-says so and takes its model. Most programs that start MPI end all processes instead; Open MPI goes on with
+journal until all models are done, and longer if one broke off, as when the system has no memory left for it: the same
+command then tries it again. A process that shows no sign of life within --limit is given up: one of the others says so
+and takes its model. Most programs that start MPI end all processes instead; Open MPI goes on with
 mpirun --enable-recovery.
 """
 import argparse
@@ -183,7 +184,10 @@ def report(folder, lines):
     write_table(folder / "summary.csv", lines)
     failed = sum(line["result"] != "rounded" for line in lines)
     print(f"\n{len(lines) - failed} of {len(lines)} models rounded", flush=True)
-    remove(folder / JOURNAL)
+    broke_off = sum(line.get("again", False) for line in lines)
+    if broke_off:
+        print(f"{broke_off} broke off; the same command tries again, with nothing of the others to do", flush=True)
+    remove(folder / JOURNAL, with_journal=not broke_off)
     return 1 if failed else 0
 
 

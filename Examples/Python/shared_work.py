@@ -7,7 +7,8 @@ receive that ends without a message, so nobody who waits for one could notice th
 
     FOLDER/settings.json         what is done to each model; another content starts anew
     FOLDER/done-RUN-RANK.jsonl   a line for each model that is done, appended by one process
-    FOLDER/complete              the table is written, and what is here is about to be removed
+    FOLDER/complete              the table is written, and what is here is about to be removed, but for the journal
+                                 where a model is to be tried again
     FOLDER/run-RUN/models.json   the models of a run, those with most work first
     FOLDER/run-RUN/K.0           model K is taken, by the process whose number is in the file; K.1 by the second, after
                                  the first was lost
@@ -297,13 +298,14 @@ def _text_of(path):
         return ""
 
 
-def remove(folder):
+def remove(folder, with_journal):
     """Most is in the run, and takes long to remove: until it is gone, the journal says that all is done. What is half
     removed of the journal must not pass for one that says less than there was."""
     (folder / COMPLETE).touch()
     for run in folder.glob("run-*"):
         _remove_at_once(run, _away(folder / "run"))
-    _remove_at_once(folder, _away(folder))
+    if with_journal:
+        _remove_at_once(folder, _away(folder))
 
 
 def _remove_at_once(folder, away):

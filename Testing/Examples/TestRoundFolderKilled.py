@@ -82,6 +82,20 @@ for _ in range(len(by_size)):
 assert code == 1 and seen == by_size, (code, seen)
 check_complete(rounded)
 
+# The system kills what rounds one of the models, as when there is no memory left: the same command tries it again, and
+# nothing else.
+rounded = output / "model"
+code, text = run("model", rounded)
+assert code == 1 and "creature.vtp: broke off with exit code -9" in text, (code, text)
+assert "2 of 4 models rounded" in text and "1 broke off; the same command tries" in text, text
+first = results(rounded)
+assert sorted(first) == ["cube.vtp.vtp", "go-stone.vtp.vtp"], first
+code, text = run("no", rounded)
+assert "3 of 4 models are done already" in text and done_in(text) == ["creature.vtp"], text
+assert code == 1 and "3 of 4 models rounded" in text and "broke off" not in text, (code, text)
+assert first.items() <= results(rounded).items()
+check_complete(rounded)
+
 # What has changed in between is done again: a model, or a property. What somebody has removed comes back.
 rounded = output / "changed"
 run("table", rounded)

@@ -6,7 +6,7 @@ usage: drive_round_folder.py EXAMPLES PLACE RANK MEETING MODELS OUTPUT [OPTION..
 
 PLACE says where the process kills itself: "unwritten", "cut", "written" when it writes the second line of its journal
 (before, in the middle, behind), "first" before the first line, "table" behind the table, "removal" while it removes
-the journal, "no" nowhere.
+the journal, "no" nowhere. With "model" it goes on, and the child that rounds creature.vtp kills itself.
 RANK is 0 or 1 of 2 processes that share the plan through the file MEETING; process 0 goes on when there is a file
 MEETING.go. With "-" it is alone. With MPI it is mpi-K, the process that kills itself; the others wait until that has
 taken a model.
@@ -23,6 +23,7 @@ del sys.argv[1:5]
 sys.path.insert(0, examples)
 import round_folder
 import shared_work
+from sphericalstyle import command_line
 
 append, claim = shared_work._append, shared_work.SharedWork.claim
 victim = rank[4:] if rank.startswith("mpi-") else None
@@ -76,9 +77,12 @@ def claim_after_victim(work):
 
 shared_work._append = write
 if place == "table":
-    round_folder.remove = lambda folder: die()
+    round_folder.remove = lambda folder, with_journal: die()
 if place == "removal":
     shared_work.shutil.rmtree = lambda folder: die()
+if place == "model":
+    work_on = command_line._try
+    command_line._try = lambda job, *more: die() if job.name == "creature.vtp" else work_on(job, *more)
 if victim and place == "no":
     shared_work.SharedWork.claim = claim_after_victim
 elif rank != "-" and not victim:
