@@ -38,9 +38,9 @@ WORD = re.compile(r"std::(?:min|max)\(|\b(?:true|false)\b")
 CONSTANT = re.compile(r"(?<![\w.<\[])(?:\d+\.\d*(?:e[-+]?\d+)?|\d+)(?![\w.>\]])")
 CONDITION = re.compile(r"\bif \(")
 GROUPS = ("Solver.", "Geometry.", "Cxx.")
-SPREAD = "ParaView.SurfaceInParts2"
+SPREAD = "ParaView.SurfaceInParts2"  # what only several processes do
 TESTS_AT_ONCE = 12
-SLOW = 20.0  # seconds of a test that is left out, unless it has the file's name
+SLOW = 20.0  # seconds of a test that is left out, unless it has the name of the file or is of its folder
 LIMIT = 120  # seconds, of a test that was changed into an endless loop
 MEMORY = 8 << 30  # bytes, of one that allocates without end
 
@@ -104,12 +104,13 @@ class Tests:
         self.Costs = {
             t["name"]: costs.get(t["name"], 0.0) for t in json.loads(listed.stdout)["tests"]
         }
-        while failed := self.first_failure(self.quick()):
+        while failed := self.first_failure(self.tried()):
             print(f"without a change {failed} fails here: it is left out", flush=True)
             del self.Costs[failed]
 
-    def quick(self):
-        return [name for name, cost in self.Costs.items() if name.startswith(GROUPS) and cost <= SLOW]
+    def tried(self):
+        """All that may be used for some file."""
+        return [name for name in self.Costs if name.startswith(GROUPS) or name == SPREAD]
 
     def batches_for(self, path):
         own = f"Test{path.stem.removeprefix('vtk')}"
