@@ -186,7 +186,7 @@ def report(folder, lines):
     print(f"\n{len(lines) - failed} of {len(lines)} models rounded", flush=True)
     broke_off = sum(line.get("again", False) for line in lines)
     if broke_off:
-        print(f"{broke_off} broke off; the same command tries again, with nothing of the others to do", flush=True)
+        print(f"{broke_off} broke off; the same command tries only those again", flush=True)
     remove(folder / JOURNAL, with_journal=not broke_off)
     return 1 if failed else 0
 
