@@ -13,13 +13,14 @@
 #include "vtkCommand.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -80,29 +81,28 @@ int vtkStyleGLTFWriter::Write()
 void vtkStyleGLTFWriter::WriteData()
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  const std::string name = this->FileName ? this->FileName : "";
-  try
+  vtkNew<vtkInformationVector> noOutputs;
+  const auto execute = [this]
   {
-    if (!vtkWholeFile::EndsIn(name, { ".glb", ".gltf" }))
-    {
-      this->SetErrorCode(vtkErrorCode::NoFileNameError);
-      throw std::runtime_error("FileName must end in .glb or .gltf; it is \"" + name + "\"");
-    }
     this->Execute(vtkPolyData::SafeDownCast(this->GetInput()));
     this->UpdateProgress(1.0);
-  }
-  catch (const std::exception& error)
+    return 1;
+  };
+  if (vtkFilterSupport::RunGuarded(this, noOutputs, execute) == 0 &&
+    this->GetErrorCode() == vtkErrorCode::NoError)
   {
-    if (this->GetErrorCode() == vtkErrorCode::NoError)
-    {
-      this->SetErrorCode(vtkErrorCode::UnknownError);
-    }
-    vtkErrorMacro(<< error.what());
+    this->SetErrorCode(vtkErrorCode::UnknownError);
   }
 }
 
 void vtkStyleGLTFWriter::Execute(vtkPolyData* input)
 {
+  const std::string name = this->FileName ? this->FileName : "";
+  if (!vtkWholeFile::EndsIn(name, { ".glb", ".gltf" }))
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    throw std::runtime_error("FileName must end in .glb or .gltf; it is \"" + name + "\"");
+  }
   // The Style is executed with other values only.
   vtkFilterSupport::RequireTarget(this->Style->GetRoundness(), nullptr, nullptr);
   vtkRoundnessTargets::Options options;

@@ -29,7 +29,6 @@
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <new>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -471,13 +470,9 @@ int vtkWholeSurfaceAlgorithm::RequestData(
       outcome = SameSize(vtkPolyData::GetData(outputVector, 0), whole) ? GIVE_BACK : STAYS;
     }
   }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro(<< "gathering the surface: not enough memory");
-  }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< "gathering the surface: " << error.what());
+    vtkErrorMacro(<< "gathering the surface: " << WordsOf(error));
   }
   this->Controller->Broadcast(&outcome, 1, 0);
   if (outcome == GIVE_BACK)

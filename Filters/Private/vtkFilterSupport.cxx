@@ -167,6 +167,11 @@ void ReportFailure(vtkAlgorithm* self, vtkInformationVector* outputs, const char
   }
 }
 
+const char* WordsOf(const std::exception& error)
+{
+  return dynamic_cast<const std::bad_alloc*>(&error) ? "not enough memory" : error.what();
+}
+
 int RunGuarded(vtkAlgorithm* self, vtkInformationVector* outputs,
   const std::function<int()>& execute, const std::function<void()>& forget)
 {
@@ -189,13 +194,9 @@ int RunGuarded(vtkAlgorithm* self, vtkInformationVector* outputs,
       throw;
     }
   }
-  catch (const std::bad_alloc&)
-  {
-    ReportFailure(self, outputs, "not enough memory");
-  }
   catch (const std::exception& error)
   {
-    ReportFailure(self, outputs, error.what());
+    ReportFailure(self, outputs, WordsOf(error));
   }
   catch (...)
   {

@@ -8,6 +8,7 @@
 #include "vtkSmartPointer.h" // for what is made
 #include "vtkType.h"         // for vtkIdType
 
+#include <exception>
 #include <functional>
 #include <string>
 #include <utility>
@@ -69,6 +70,9 @@ void TakeDataSet(vtkInformation* port);
 /// An error, with InBlock before it, and no output; no error for an empty text, where another
 /// process tells.
 void ReportFailure(vtkAlgorithm* self, vtkInformationVector* outputs, const char* what);
+
+/// What the error says; of std::bad_alloc, whose own text is its name, "not enough memory".
+const char* WordsOf(const std::exception& error);
 
 /// For RequestData: runs `execute`. What it throws becomes an error message, and there is no output
 /// then: no exception gets into the pipeline, which does not expect any.

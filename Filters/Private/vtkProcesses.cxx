@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkProcesses.h"
 
+#include "vtkFilterSupport.h"
+
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
 
 #include <exception>
-#include <new>
 #include <numeric>
 
 namespace
@@ -58,13 +59,9 @@ bool vtkProcesses::Run(
     {
       throw;
     }
-    catch (const std::bad_alloc&)
-    {
-      failure = "not enough memory";
-    }
     catch (const std::exception& error)
     {
-      failure = error.what();
+      failure = vtkFilterSupport::WordsOf(error);
     }
     this->GoOn(failure.empty() ? 0 : 1);
     return true;

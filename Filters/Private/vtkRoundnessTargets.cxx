@@ -9,6 +9,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -65,6 +66,8 @@ public:
     this->Listener->SetCallback(&BorrowedFilter::Listen);
     this->Errors = style->AddObserver(vtkCommand::ErrorEvent, this->Listener);
     this->Warnings = style->AddObserver(vtkCommand::WarningEvent, this->Listener);
+    // It says that the filter failed, where the filter has said why.
+    this->Failures = style->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Listener);
     style->SetController(nullptr); // the model is all here
     style->SetGenerateNormals(options.WithNormals);
     style->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
@@ -79,6 +82,7 @@ public:
   {
     this->Style->RemoveObserver(this->Errors);
     this->Style->RemoveObserver(this->Warnings);
+    this->Style->GetExecutive()->RemoveObserver(this->Failures);
     this->Style->SetInputConnection(0, this->Input);
     this->Style->SetController(this->Controller);
     this->Style->SetRoundness(this->Roundness);
@@ -130,6 +134,7 @@ private:
   vtkNew<vtkCallbackCommand> Listener;
   unsigned long Errors = 0;
   unsigned long Warnings = 0;
+  unsigned long Failures = 0;
   std::string Error;
 };
 
