@@ -193,7 +193,7 @@ void AllPoints(Checker& check)
     }));
   huge->SetCenterModeToAreaCentroid();
   check(huge.Output()->GetNumberOfPoints() == 0 && huge.Errors.size() == 1 &&
-      Contains(huge.Errors[0], "must be finite"),
+      Contains(huge.Errors[0], "the center of the surface is not finite"),
     "areas have no number there" + Joined(huge.Errors));
 
   check.About("all points at one place");

@@ -116,7 +116,7 @@ void Errors(Checker& check)
         return Vector{ size * x[0], size * x[1], size * x[2] };
       }));
     check(m.Output()->GetNumberOfPoints() == 0 && m.Errors.size() == 1 &&
-        Contains(m.Errors[0], "must be above zero and finite"),
+        Contains(m.Errors[0], "the area of the surface is 0 or not finite"),
       "areas have no number there" + Joined(m.Errors));
   }
 }

@@ -91,11 +91,15 @@ Sphere TargetSphere(const Points& P, const Triangles& F, CenterMode center, Radi
   {
     throw std::invalid_argument(radius == RadiusMode::EqualVolume
         ? "RadiusMode EqualVolume: the surface encloses no volume"
+        : radius == RadiusMode::EqualArea
+        ? "RadiusMode EqualArea: the area of the surface is 0 or not finite; scale the model"
         : "Radius must be above zero and finite");
   }
   if (!sphere.center.allFinite())
   {
-    throw std::invalid_argument("Center must be finite");
+    throw std::invalid_argument(center == CenterMode::Custom
+        ? "Center must be finite"
+        : "CenterMode: the center of the surface is not finite; scale the model");
   }
   return sphere;
 }
