@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -48,6 +49,10 @@ Bytes ReadFile(const std::filesystem::path& path, const std::string& what)
   if (std::filesystem::is_directory(path, error))
   {
     BadFile(what + " is a folder");
+  }
+  if (std::filesystem::is_character_file(path, error)) // such as /dev/zero, which has no end
+  {
+    BadFile(what + " is a device");
   }
   std::ifstream file(path, std::ios::binary);
   if (!file)
@@ -132,6 +137,18 @@ Bytes Decode(const std::string& text, std::size_t from, const std::string& owner
     }
   }
   return bytes;
+}
+
+/// What a file says, for a message: the start of a long text.
+std::string Quoted(const std::string& text)
+{
+  constexpr std::size_t most = 100;
+  std::size_t end = std::min(most, text.size());
+  while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+  {
+    --end; // not inside a character
+  }
+  return text.substr(0, end) + (end < text.size() ? "..." : "");
 }
 
 bool StartsWith(const std::string& text, const char* start)
@@ -222,10 +239,10 @@ bool IsOn(const Json& object, const char* key)
   return found != object.end() && found->is_boolean() && found->get<bool>();
 }
 
-std::string TextOf(const Json& object, const char* key)
+bool AreObjects(const Json& value)
 {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+  return value.is_array() &&
+    std::all_of(value.begin(), value.end(), [](const Json& item) { return item.is_object(); });
 }
 
 Bytes BytesOf(const std::string& text)
@@ -334,15 +351,19 @@ void vtkGLTFDocument::ParseJson(const unsigned char* first, std::size_t size)
   }
   catch (const nlohmann::json::exception& error)
   {
-    BadFile(std::string("it is not glTF: ") + error.what());
+    // "[json.exception.parse_error.101] parse error at ...; last read: ", and then all of a string
+    std::string text = error.what();
+    text.erase(std::min(text.find("; last read: "), text.size()));
+    text.erase(0, text.find("] ") == std::string::npos ? 0 : text.find("] ") + 2);
+    BadFile("it is not glTF: " + text);
   }
   const std::string version = this->Root.is_object() && this->Root.contains("asset")
-    ? TextOf(this->Root["asset"], "version")
+    ? Text(this->Root["asset"], "version")
     : "";
   if (!StartsWith(version, "2."))
   {
     BadFile(version.empty() ? "it is not glTF: no asset.version"
-                            : "it is glTF of version " + version + ", and only 2 is known");
+                            : "it is glTF of version " + Quoted(version) + ", and only 2 is known");
   }
   for (const char* name : { "KHR_draco_mesh_compression", "EXT_meshopt_compression" })
   {
@@ -359,9 +380,7 @@ void vtkGLTFDocument::ParseJson(const unsigned char* first, std::size_t size)
     for (const char* list : { "accessors", "animations", "bufferViews", "buffers", "images",
            "meshes", "nodes", "scenes", "skins" })
     {
-      const bool good = value.is_array() &&
-        std::all_of(value.begin(), value.end(), [](const Json& item) { return item.is_object(); });
-      if (key == list && !good)
+      if (key == list && !AreObjects(value))
       {
         BadFile("its " + key + " are not a list of objects");
       }
@@ -379,7 +398,7 @@ void vtkGLTFDocument::ReadBuffers()
   for (const Json& buffer : *found)
   {
     const std::string owner = "buffer " + std::to_string(this->Buffers.size());
-    const std::string uri = TextOf(buffer, "uri");
+    const std::string uri = Text(buffer, "uri");
     Bytes bytes;
     if (!uri.empty())
     {
@@ -409,10 +428,11 @@ Bytes vtkGLTFDocument::ReadUri(const std::string& uri, const std::string& owner)
   }
   if (uri.find("://") != std::string::npos)
   {
-    BadFile(owner + ": is not a file beside the model: " + uri);
+    BadFile(owner + ": is not a file beside the model: " + Quoted(uri));
   }
   const std::string name = WithoutPercent(uri);
-  return ReadFile(PathOf(this->Path).parent_path() / PathOf(name), owner + ": the file " + name);
+  return ReadFile(
+    PathOf(this->Path).parent_path() / PathOf(name), owner + ": the file " + Quoted(name));
 }
 
 const Json& vtkGLTFDocument::Item(
@@ -445,7 +465,7 @@ std::size_t vtkGLTFDocument::Number(
   const double value = found->is_number() ? found->get<double>() : -1.0;
   if (!(value >= 0.0 && value <= largest && value == std::floor(value)))
   {
-    BadFile(owner + ": its " + key + " must be a whole number; it is " + found->dump());
+    BadFile(owner + ": its " + key + " must be a whole number; it is " + Quoted(found->dump()));
   }
   return static_cast<std::size_t>(value);
 }
@@ -458,6 +478,26 @@ std::size_t vtkGLTFDocument::Index(const Json& object, const char* key, const st
     BadFile(owner + ": has no " + key);
   }
   return index;
+}
+
+std::string vtkGLTFDocument::Text(const Json& object, const char* key)
+{
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+Json vtkGLTFDocument::Objects(const Json& object, const char* key, const std::string& owner)
+{
+  const auto found = object.find(key);
+  if (found == object.end())
+  {
+    return Json::array();
+  }
+  if (!AreObjects(*found))
+  {
+    BadFile(owner + ": its " + key + " are not a list of objects");
+  }
+  return *found;
 }
 
 vtkGLTFDocument::Range vtkGLTFDocument::View(std::size_t view, const std::string& owner) const
@@ -487,7 +527,7 @@ std::vector<double> vtkGLTFDocument::Values(std::size_t accessor, const char* ty
 {
   const std::string owner = "accessor " + std::to_string(accessor);
   const Json& json = this->Item("accessors", accessor, owner);
-  if (TextOf(json, "type") != type)
+  if (Text(json, "type") != type)
   {
     BadFile(owner + ": must be of type " + type);
   }
@@ -504,6 +544,12 @@ std::vector<double> vtkGLTFDocument::Values(std::size_t accessor, const char* ty
   if (!json.contains("bufferView") && sparse == json.end())
   {
     BadFile(owner + ": has no data; if the file is compressed, decompress it first");
+  }
+  if (!json.contains("bufferView") &&
+    count > this->NumberOfBytes()) // a few bytes ask for gigabytes
+  {
+    BadFile(owner + ": has " + std::to_string(count) +
+      " elements without data, more than the file's buffers have bytes");
   }
   std::vector<double> values;
   if (json.contains("bufferView"))
@@ -536,6 +582,12 @@ std::vector<double> vtkGLTFDocument::Values(std::size_t accessor, const char* ty
     this->Replace(*sparse, components, values, componentType, normalized, owner);
   }
   return values;
+}
+
+std::size_t vtkGLTFDocument::NumberOfBytes() const
+{
+  return std::accumulate(this->Buffers.begin(), this->Buffers.end(), std::size_t(0),
+    [](std::size_t sum, const Bytes& buffer) { return sum + buffer.size(); });
 }
 
 /// What a sparse accessor says in place of some elements.
@@ -706,10 +758,10 @@ void vtkGLTFDocument::CheckFolder(const std::string& path) const
     const auto found = this->Root.find(list);
     for (const Json& item : found == this->Root.end() ? Json::array() : *found)
     {
-      const std::string uri = TextOf(item, "uri");
+      const std::string uri = Text(item, "uri");
       if (!uri.empty() && !StartsWith(uri, "data:") && uri.find("://") == std::string::npos)
       {
-        BadFile("the model refers to files beside it, such as " + WithoutPercent(uri) +
+        BadFile("the model refers to files beside it, such as " + Quoted(WithoutPercent(uri)) +
           "; write the result into the same folder");
       }
     }

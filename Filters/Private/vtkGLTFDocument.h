@@ -51,6 +51,11 @@ public:
   /// The number of an item. @throw std::runtime_error where it is absent or something else
   static std::size_t Index(const Json& object, const char* key, const std::string& owner);
   static constexpr std::size_t None = SIZE_MAX;
+  /// A text, empty where the key is absent or has something else.
+  static std::string Text(const Json& object, const char* key);
+  /// A list of objects, an empty one where the key is absent.
+  /// @throw std::runtime_error where it is something else
+  static Json Objects(const Json& object, const char* key, const std::string& owner);
 
   /// The elements of an accessor, one after another; normalized integers as shares of one.
   /// @param type  "VEC3", ...
@@ -88,6 +93,7 @@ private:
   void ReadBuffers();
   Bytes ReadUri(const std::string& uri, const std::string& owner) const;
   Range View(std::size_t view, const std::string& owner) const;
+  std::size_t NumberOfBytes() const; // of all buffers
   void Replace(const Json& sparse, std::size_t components, std::vector<double>& values,
     std::size_t componentType, bool normalized, const std::string& owner) const;
   std::size_t AddAccessor(const void* data, std::size_t size, const Json& accessor, Use use);

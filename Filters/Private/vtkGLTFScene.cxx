@@ -6,7 +6,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -249,7 +250,9 @@ public:
     : Document(document)
     , All(document)
   {
-    this->Points->SetDataTypeToDouble();
+    // In single precision the points of a seam between two nodes are the same again. GCC 12 leaves
+    // that rounding out where two doubles side by side become floats and doubles again.
+    this->Points->SetDataTypeToFloat();
     this->Normals->SetName("Normals");
     this->Normals->SetNumberOfComponents(3);
   }
@@ -443,11 +446,15 @@ private:
     }
     for (std::size_t k = 0; k < place.size(); k += 3)
     {
-      // In single precision the points of a seam between two nodes are the same again.
       const Eigen::Vector3d here =
         (matrixOf(k / 3) * Eigen::Vector4d(place[k], place[k + 1], place[k + 2], 1.0)).head<3>();
-      const Eigen::Vector3d rounded = here.cast<float>().cast<double>();
-      this->Points->InsertNextPoint(rounded.data());
+      if (!(here.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()))
+      {
+        throw std::runtime_error(owner + ", point " + std::to_string(k / 3) +
+          ": is not finite, or too far out for single precision, where " +
+          NodeName(placement.Node) + " places it");
+      }
+      this->Points->InsertNextPoint(here.data());
     }
     std::vector<double> normals(place.size(), 0.0);
     if (placement.HasNormals)
@@ -466,7 +473,7 @@ private:
       Eigen::Vector3d n(normals[k], normals[k + 1], normals[k + 2]);
       n = vtkGLTFScene::IsFlat(linear) ? Eigen::Vector3d(linear * n)
                                        : Eigen::Vector3d(linear.inverse().transpose() * n);
-      n = n.norm() > 0.0 ? n.normalized().cast<float>().cast<double>().eval() : n;
+      n.normalize(); // or stays 0
       this->Normals->InsertNextTuple(n.data());
     }
     this->AddTriangles(primitive, placement, owner);
@@ -532,7 +539,7 @@ private:
   vtkGLTFDocument& Document;
   const Nodes All;
   vtkNew<vtkPoints> Points;
-  vtkNew<vtkDoubleArray> Normals;
+  vtkNew<vtkFloatArray> Normals;
   vtkNew<vtkCellArray> Triangles;
   bool AnyNormals = false;
   bool FacesWithoutNormals = false;

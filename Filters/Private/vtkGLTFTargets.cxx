@@ -222,13 +222,13 @@ public:
       const std::string owner = "animation " + std::to_string(a);
       std::map<std::size_t, std::size_t> samplers; // and the targets that they had
       const Json animation = this->Document.Root["animations"][a];
-      for (const Json& channel : animation.value("channels", Json::array()))
+      for (const Json& channel : vtkGLTFDocument::Objects(animation, "channels", owner))
       {
-        const Json target = channel.value("target", Json::object());
-        if (target.value("path", Json()) == "weights")
+        const auto target = channel.find("target");
+        if (target != channel.end() && vtkGLTFDocument::Text(*target, "path") == "weights")
         {
           const auto mesh =
-            meshOf.find(vtkGLTFDocument::Number(target, "node", vtkGLTFDocument::None, owner));
+            meshOf.find(vtkGLTFDocument::Number(*target, "node", vtkGLTFDocument::None, owner));
           if (mesh != meshOf.end())
           {
             samplers[vtkGLTFDocument::Index(channel, "sampler", owner)] = before.at(mesh->second);
@@ -246,15 +246,16 @@ private:
   void ExtendSampler(
     std::size_t animation, std::size_t sampler, std::size_t targets, const std::string& owner)
   {
-    Json& samplers = this->Document.Root["animations"][animation]["samplers"];
-    if (!samplers.is_array() || sampler >= samplers.size())
+    const Json samplers =
+      vtkGLTFDocument::Objects(this->Document.Root["animations"][animation], "samplers", owner);
+    if (sampler >= samplers.size())
     {
       throw std::runtime_error(owner + ": has no sampler " + std::to_string(sampler));
     }
-    const Json json = samplers[sampler];
+    const Json& json = samplers[sampler];
     const std::vector<double> old =
       this->Document.Values(vtkGLTFDocument::Index(json, "output", owner), "SCALAR");
-    const bool cubic = json.value("interpolation", Json()) == "CUBICSPLINE";
+    const bool cubic = vtkGLTFDocument::Text(json, "interpolation") == "CUBICSPLINE";
     if (targets == 0 || old.size() % targets != 0)
     {
       throw std::runtime_error(

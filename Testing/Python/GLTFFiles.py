@@ -194,3 +194,44 @@ class Maker:
         with open(path, "wb") as file:
             file.write(self.bytes(more))
         return path
+
+
+def ball(center=(0, 0, 0), size=(1, 2, 0.7), columns=24, rows=12):
+    """Points, normals, triangles and texture coordinates of an ellipsoid with a seam: the points of one meridian are
+    there twice."""
+    u, v = np.meshgrid(np.linspace(0, 2 * np.pi, columns + 1), np.linspace(0, np.pi, rows + 1))
+    u[:, -1] = 0
+    n = np.stack([np.sin(v) * np.cos(u), np.cos(v), np.sin(v) * np.sin(u)], axis=-1).reshape(-1, 3)
+    ids = np.arange(len(n)).reshape(u.shape)
+    a, b, c, d = ids[:-1, :-1], ids[:-1, 1:], ids[1:, 1:], ids[1:, :-1]
+    triangles = np.concatenate([np.stack([a, b, c], -1).reshape(-1, 3), np.stack([a, c, d], -1).reshape(-1, 3)])
+    uv = np.stack(np.meshgrid(np.linspace(0, 1, columns + 1), np.linspace(0, 1, rows + 1)), -1).reshape(-1, 2)
+    return (np.asarray(center) + n * size).astype(np.float32), n.astype(np.float32), triangles, uv.astype(np.float32)
+
+
+def figure():
+    """A small file with bones, a target that moves, and a mesh that is shown twice."""
+    P, N, F, _ = ball(columns=5, rows=3)
+    maker = Maker(scene=0)
+    indices = maker.add(F.ravel(), np.uint8)
+    shape = {"POSITION": maker.add(P), "NORMAL": maker.add(N)}
+    share = np.rint(127.5 * (1 + P[:, 1] / 2)).astype(np.uint8)
+    zeros = np.zeros_like(share)
+    skinned = shape | {
+        "JOINTS_0": maker.add(np.stack([zeros, zeros + 1, zeros, zeros], axis=1), np.uint8),
+        "WEIGHTS_0": maker.add(np.stack([255 - share, share, zeros, zeros], axis=1), np.uint8, normalized=True)}
+    moved = maker.add(0.1 * N)
+    bind = maker.add(np.tile(np.eye(4), (2, 1, 1)).reshape(2, 16))
+    times, weights = maker.add([0, 1]), maker.add([0, 1])
+    maker.root |= {
+        "meshes": [{"primitives": [{"attributes": skinned, "indices": indices}]},
+                   {"weights": [0.5], "extras": {"targetNames": ["Grin"]}, "primitives": [
+                       {"attributes": shape, "indices": indices, "targets": [{"POSITION": moved}]}]}],
+        "skins": [{"joints": [3, 4], "inverseBindMatrices": bind}],
+        "nodes": [{"children": [1, 2, 3, 5]}, {"mesh": 0, "skin": 0}, {"mesh": 1, "translation": [4, 0, 0]},
+                  {"children": [4]}, {"rotation": [0, 0, 0.6, 0.8]},
+                  {"mesh": 1, "matrix": [1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, -4, 0, 0, 1], "weights": [1]}],
+        "scenes": [{"nodes": [0]}],
+        "animations": [{"samplers": [{"input": times, "output": weights}],
+                        "channels": [{"sampler": 0, "target": {"node": 2, "path": "weights"}}]}]}
+    return maker
