@@ -10,7 +10,7 @@
 #   --list       lists the steps
 #   --only STEP  runs that step alone
 #   --from STEP  runs that step and all after it
-# RELEASE_FUZZ_SECONDS and RELEASE_MUTATIONS choose how long the fuzzer runs (7200) and how many changes of the sources
+# RELEASE_FUZZ_SECONDS and RELEASE_MUTATIONS choose how long each fuzzer runs (7200) and how many changes of the sources
 # are tried (200). The last line names the tag to set; nothing is tagged or uploaded.
 BUILD_DIR=${BUILD_DIR:-build-release}
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -85,12 +85,15 @@ step_tsan()
 
 step_fuzz()
 {
-  local corpus=$build/corpus
-  mkdir -p "$corpus"
-  cp "$project"/Testing/Fuzz/Corpus/* "$corpus"
+  local target longest
   cd "$build"
-  ASAN_OPTIONS=detect_container_overflow=0 "$project/build-fuzz/bin/FuzzFilters" -fork=1 -max_len=420 -timeout=150 \
-    "-max_total_time=${RELEASE_FUZZ_SECONDS:-7200}" "$corpus"
+  for target in Filters Files; do
+    longest=$([ "$target" = Filters ] && echo 420 || echo 8000)
+    mkdir -p "corpus/${target,,}"
+    cp "$project/Testing/Fuzz/Corpus/${target,,}"/* "corpus/${target,,}"
+    ASAN_OPTIONS=detect_container_overflow=0 "$project/build-fuzz/bin/Fuzz$target" -fork=1 "-max_len=$longest" \
+      -timeout=150 "-max_total_time=${RELEASE_FUZZ_SECONDS:-7200}" "corpus/${target,,}"
+  done
 }
 
 # In a clone, since the sources are changed there.

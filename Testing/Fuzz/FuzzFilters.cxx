@@ -4,6 +4,7 @@
 /// they are: the output is finite and has the input's points and cells, or there is one error and
 /// no output; the input is unchanged; and a filter that has run before gives what a new one gives.
 /// Built for libFuzzer, and with Replay.cxx for everybody else.
+#include "FuzzTesting.h"
 #include "GridFromBytes.h"
 #include "TermFilters.h"
 
@@ -23,54 +24,11 @@
 #endif
 
 #include "vtkInformation.h"
-#include "vtkLogger.h"
-#include "vtkObjectFactory.h"
-#include "vtkOutputWindow.h"
-
-#include <cstdlib>
-#include <iostream>
 
 using namespace FilterTesting;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-
 namespace
 {
-/// Errors of objects that are no filter of ours: something was handed to VTK that it cannot take.
-class Strangers : public vtkOutputWindow
-{
-public:
-  static Strangers* New();
-  vtkTypeMacro(Strangers, vtkOutputWindow);
-  void DisplayText(const char*) override {}
-  void DisplayErrorText(const char* text) override { this->Errors.emplace_back(text); }
-
-  std::vector<std::string> Errors;
-};
-vtkStandardNewMacro(Strangers);
-
-Strangers* Others()
-{
-  static const vtkSmartPointer<Strangers> window = []
-  {
-    auto made = vtkSmartPointer<Strangers>::New();
-    vtkOutputWindow::SetInstance(made);
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-    return made;
-  }();
-  return window;
-}
-
-void Demand(bool good, const char* what, vtkObject* about, const std::string& more = "")
-{
-  if (!good)
-  {
-    std::cerr << "VIOLATED: " << what << more << "\n";
-    about->Print(std::cerr);
-    std::abort();
-  }
-}
-
 struct Subject
 {
   vtkSmartPointer<vtkAlgorithm> Filter;

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// The fuzz target without a fuzzer, for any compiler:
+/// A fuzz target without a fuzzer, for any compiler:
 ///
-///     FuzzReplay [-runs=N] [FILE or FOLDER ...]
+///     ReplayFilters [-runs=N] [FILE or FOLDER ...]
 ///
 /// runs every file, then N inputs made of the files, the same ones at every call: bytes exchanged,
-/// left out, put in and taken from another file.
+/// left out, put in and taken from another file, or as the target itself changes its inputs.
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -18,10 +19,17 @@
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+// What libFuzzer offers to a target and what it asks of one; not every target has it.
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t room);
+extern "C" [[gnu::weak]] std::size_t LLVMFuzzerCustomMutator(
+  std::uint8_t* data, std::size_t size, std::size_t room, unsigned seed);
 
 namespace
 {
 using Input = std::vector<std::uint8_t>;
+
+std::vector<Input> Corpus;
+std::mt19937 Random(1);
 
 Input Read(const std::filesystem::path& path)
 {
@@ -35,20 +43,19 @@ Input Read(const std::filesystem::path& path)
 }
 
 /// Distributions of the standard library differ from one to the other; this does not.
-std::size_t Below(std::mt19937& random, std::size_t n)
+std::size_t Below(std::size_t n)
 {
-  return n == 0 ? 0 : random() % n;
+  return n == 0 ? 0 : Random() % n;
 }
 
-Input Changed(const std::vector<Input>& corpus, std::mt19937& random)
+Input Changed(Input input)
 {
-  Input input = corpus[Below(random, corpus.size())];
-  for (std::size_t changes = 1 + Below(random, 8); changes > 0; --changes)
+  for (std::size_t changes = 1 + Below(8); changes > 0; --changes)
   {
-    const auto at = static_cast<std::ptrdiff_t>(Below(random, input.size()));
-    const auto byte = static_cast<std::uint8_t>(Below(random, 256));
-    const Input& other = corpus[Below(random, corpus.size())];
-    switch (input.empty() ? 1 : Below(random, 4))
+    const auto at = static_cast<std::ptrdiff_t>(Below(input.size()));
+    const auto byte = static_cast<std::uint8_t>(Below(256));
+    const Input& other = Corpus[Below(Corpus.size())];
+    switch (input.empty() ? 1 : Below(4))
     {
       case 0:
         input[at] = byte;
@@ -68,10 +75,32 @@ Input Changed(const std::vector<Input>& corpus, std::mt19937& random)
   return input;
 }
 
+Input Next()
+{
+  Input input = Corpus[Below(Corpus.size())];
+  if (!LLVMFuzzerCustomMutator)
+  {
+    return Changed(std::move(input));
+  }
+  const std::size_t size = input.size();
+  input.resize(2 * size + 4096);
+  input.resize(
+    LLVMFuzzerCustomMutator(input.data(), size, input.size(), static_cast<unsigned>(Random())));
+  return input;
+}
+
 void Run(const Input& input)
 {
   LLVMFuzzerTestOneInput(input.data(), input.size());
 }
+}
+
+std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t room)
+{
+  Input changed = Changed({ data, data + size });
+  changed.resize(std::min(changed.size(), room));
+  std::copy(changed.begin(), changed.end(), data);
+  return changed.size();
 }
 
 int main(int argc, char* argv[])
@@ -97,17 +126,16 @@ int main(int argc, char* argv[])
       files.insert(word);
     }
   }
-  std::vector<Input> corpus = { {} };
+  Corpus.emplace_back();
   for (const std::filesystem::path& file : files)
   {
-    corpus.push_back(Read(file));
+    Corpus.push_back(Read(file));
     std::cout << file.filename().string() << std::endl; // the last one printed is the culprit
-    Run(corpus.back());
+    Run(Corpus.back());
   }
-  std::mt19937 random(1);
   for (std::size_t k = 0; k < runs; ++k)
   {
-    const Input input = Changed(corpus, random);
+    const Input input = Next();
     std::ofstream("last-input.bin", std::ios::binary)
       .write(
         reinterpret_cast<const char*>(input.data()), static_cast<std::streamsize>(input.size()));
