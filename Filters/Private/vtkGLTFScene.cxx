@@ -448,7 +448,7 @@ private:
     {
       const Eigen::Vector3d here =
         (matrixOf(k / 3) * Eigen::Vector4d(place[k], place[k + 1], place[k + 2], 1.0)).head<3>();
-      if (!(here.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()))
+      if (!(here.array().abs() <= std::numeric_limits<float>::max()).all())
       {
         throw std::runtime_error(owner + ", point " + std::to_string(k / 3) +
           ": is not finite, or too far out for single precision, where " +
