@@ -160,6 +160,7 @@ vtkSmartPointer<vtkStyleGLTFWriter> MakeWriter(int flags, const std::string& res
   return writer;
 }
 
+/// Gives a file a slider, and that one another.
 void Slide(const std::string& source, int flags, const std::string& content = "")
 {
   const std::string result = Name(flags & RESULT_IS_TEXT ? "result.gltf" : "result.glb");
@@ -181,12 +182,13 @@ void WriteSurface(Bytes bytes, int flags)
   const Surface surface = SurfaceFromBytes(bytes);
   const auto before = vtkSmartPointer<vtkPolyData>::New();
   before->DeepCopy(surface);
-  const std::string result = Name(flags & RESULT_IS_TEXT ? "result.gltf" : "result.glb");
-  const auto slider = MakeWriter(flags, result);
+  // Not a name that Slide writes: it would remove what it is to read.
+  const std::string written = Name(flags & RESULT_IS_TEXT ? "surface.gltf" : "surface.glb");
+  const auto slider = MakeWriter(flags, written);
   slider->SetInputData(surface);
-  if (Write(slider, result).empty())
+  if (Write(slider, written).empty())
   {
-    Slide(result, flags);
+    Slide(written, flags);
   }
   const std::string print = Name("result.3mf");
   const auto printer = vtkSmartPointer<vtk3MFWriter>::New();
