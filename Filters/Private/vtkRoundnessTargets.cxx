@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <regex>
 #include <stdexcept>
 #include <utility>
 
@@ -46,6 +47,15 @@ std::string PlainMessage(const char* text)
     message.pop_back();
   }
   return message;
+}
+
+/// The text without its numbers, and of things that are counted the singular: at other places of
+/// the slider the filter warns of the same with other numbers.
+std::string WithoutNumbers(const std::string& text)
+{
+  static const std::regex counted(R"([0-9]+ (\w+?)s?\b)");
+  static const std::regex number(R"([0-9.]+)");
+  return std::regex_replace(std::regex_replace(text, counted, "$1"), number, "");
 }
 
 /// Uses a filter of somebody else: what is changed is put back in the end.
@@ -117,7 +127,9 @@ private:
     {
       filter->Error = filter->Error.empty() ? message : filter->Error;
     }
-    else if (std::find(filter->Heard.begin(), filter->Heard.end(), message) == filter->Heard.end())
+    else if (std::none_of(filter->Heard.begin(), filter->Heard.end(),
+               [kind = WithoutNumbers(message)](const std::string& heard)
+               { return WithoutNumbers(heard) == kind; }))
     {
       filter->Heard.push_back(message);
     }

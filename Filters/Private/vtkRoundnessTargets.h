@@ -57,7 +57,7 @@ struct Targets
   /// result changes steadily, and where it jumps.
   double Error = 0.0;
   double Jump = 0.0;
-  std::vector<std::string> Warnings; ///< of the filter, each once
+  std::vector<std::string> Warnings; ///< of the filter, one of those that differ in numbers
 };
 
 /// Solves at some places of the slider, in the middle between two of them until each result there
