@@ -224,7 +224,7 @@ def step(interactor, _):
     except BaseException:  # also AssertionError
         outcome = traceback.format_exc() + "ERROR: see above"
     os.write(1, f"{outcome}\n".encode())  # print is buffered by ParaView, and _exit drops that
-    os._exit(0)
+    os._exit(0 if outcome == "dragged" else 1)
 
 
 interactor = view.GetInteractor()
