@@ -28,6 +28,7 @@ FILES = {
 }
 # Entries in tables and lists: the file, the text before, the new entry, and the text after. The entry goes to the
 # first place where the text after directly follows the text before.
+UNRELEASED = "## [Unreleased]\n\n"
 PLACES = [
     ("Filters/filters.json", "", """\
     {
@@ -96,6 +97,8 @@ def main():
     for place, before, more, behind in PLACES:
         path = chosen.root / place
         text = changed.get(path) or path.read_text()
+        if path.name == "CHANGELOG.md" and before not in text.split("\n## ", maxsplit=2)[1]:
+            text = text.replace(UNRELEASED, f"{UNRELEASED}{before}\n", 1)
         if before + behind not in text:
             fail(f"{path} does not contain the text next to which the entry belongs:\n{before}{behind}")
         changed[path] = text.replace(before + behind, before + filled(more) + behind, 1)
