@@ -360,6 +360,9 @@ int vtkPrintableFilter::Execute(
   {
     return 1;
   }
+  Require(!std::isnan(this->FootArea), "FootArea", "a number from 0 to 1", this->FootArea);
+  Require(!std::isnan(this->StabilityAngle), "StabilityAngle", "a number from 0 to 45",
+    this->StabilityAngle);
   for (const auto& [name, value] : { std::make_pair("MinimumThickness", this->MinimumThickness),
          std::make_pair("Volume", this->Volume), std::make_pair("Height", this->Height) })
   {

@@ -21,6 +21,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -105,6 +106,10 @@ void vtkStyleGLTFWriter::Execute(vtkPolyData* input)
   }
   // The Style is executed with other values only.
   vtkFilterSupport::RequireTarget(this->Style->GetRoundness(), nullptr, nullptr);
+  vtkFilterSupport::Require(!std::isnan(this->MaximumRoundness), "MaximumRoundness",
+    "a number from 0.01 to 1000", this->MaximumRoundness);
+  vtkFilterSupport::Require(
+    !std::isnan(this->Tolerance), "Tolerance", "a number from 0.00001 to 1", this->Tolerance);
   vtkRoundnessTargets::Options options;
   options.MaximumRoundness = std::max(this->MaximumRoundness, this->Style->GetRoundness());
   options.Tolerance = this->Tolerance;

@@ -42,6 +42,7 @@
 #define vtkStyleGLTFWriter_h
 
 #include "SphericalStyleFiltersModule.h" // for export macro
+#include "vtkSetRangeMacro.h"            // for its macro
 #include "vtkSmartPointer.h"             // for the style
 #include "vtkWriter.h"
 
@@ -86,7 +87,7 @@ public:
    * Where the slider ends, unless one target is enough: that one reaches any Roundness. The Style's
    * own Roundness, if that is more. Range 0.01..1000. Default 5.
    */
-  vtkSetClampMacro(MaximumRoundness, double, 0.01, 1000.0);
+  vtkSetRangeMacro(MaximumRoundness, double, 0.01, 1000.0);
   vtkGetMacro(MaximumRoundness, double);
   ///@}
 
@@ -96,7 +97,7 @@ public:
    * diagonal of the model's bounds. Where the result changes faster, it does so within 1/256 of the
    * slider instead. Range 0.00001..1. Default 0.001.
    */
-  vtkSetClampMacro(Tolerance, double, 0.00001, 1.0);
+  vtkSetRangeMacro(Tolerance, double, 0.00001, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
 
@@ -104,7 +105,7 @@ public:
   /**
    * No more targets than this; the error may be larger then. Range 1..256. Default 32.
    */
-  vtkSetClampMacro(MaximumNumberOfTargets, int, 1, 256);
+  vtkSetRangeMacro(MaximumNumberOfTargets, int, 1, 256);
   vtkGetMacro(MaximumNumberOfTargets, int);
   ///@}
 
