@@ -4,7 +4,7 @@
 import collections.abc
 
 from . import meshes
-from .messages import execute
+from .properties import execute
 from .SphericalStyleFilters import vtkHandleDeformFilter
 
 _KEYS = ("place", "radius", "to", "rotation")
@@ -58,7 +58,8 @@ def deform(mesh, handles, *, independent=False, tolerance=None, maximum_iteratio
     iterations there may be. Both have defaults that fit.
 
     Raises sphericalstyle.Error with the filter's message if the mesh or the handles cannot be used, such as where two
-    handles hold the same point; TypeError or ValueError for handles that are no such rows.
+    handles hold the same point; TypeError or ValueError for handles that are no such rows, and for values that are out
+    of range or of another kind.
 
     A ball whose top is drawn up and turned by a quarter, while its bottom stays:
 
@@ -81,11 +82,8 @@ def deform(mesh, handles, *, independent=False, tolerance=None, maximum_iteratio
         filter_.AddHandle(row)
     if independent:
         filter_.SetComponentCouplingToIndependent()
-    if tolerance is not None:
-        filter_.SetTolerance(tolerance)
-    if maximum_iterations is not None:
-        filter_.SetMaximumNumberOfIterations(maximum_iterations)
-    execute(filter_, surface)
+    execute(filter_, surface, {"maximum_iterations": "MaximumNumberOfIterations"}, tolerance=tolerance,
+            maximum_iterations=maximum_iterations)
     result = surface.NewInstance()
     result.ShallowCopy(filter_.GetOutput())
     return back(result)

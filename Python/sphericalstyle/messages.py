@@ -21,16 +21,6 @@ def printable(text):
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in str(text))
 
 
-def execute(algorithm, surface):
-    """Executes a filter of ours on a surface. Errors are raised, and warnings become those of who calls our caller."""
-    algorithm.SetController(None)  # with MPI, too, each process has a mesh of its own
-    messages = Messages(algorithm)
-    algorithm.SetInputData(surface)
-    algorithm.Update()
-    messages.raise_errors()
-    messages.warn(stacklevel=4)
-
-
 class Messages:
     """Collects errors and warnings of an algorithm; VTK would print them and continue."""
 

@@ -5,7 +5,7 @@ import collections.abc
 import numbers
 
 from . import meshes
-from .messages import execute
+from .properties import execute
 from .surface_parts import parts as find_parts
 from .SphericalStyleFilters import vtkPartSizesFilter
 
@@ -74,7 +74,8 @@ def resize(mesh, sizes=None, *, parts=None, head_height=0.0, head=-1, up_axis="Y
     lowest point stays at its height.
 
     Raises sphericalstyle.Error with the filter's message if the mesh cannot be used, ValueError for parts of another
-    length, TypeError for sizes that are no dict of whole numbers and numbers.
+    length and values that are out of range, TypeError for values of another kind and sizes that are no dict of whole
+    numbers and numbers.
 
     A snowman with a large head:
 
@@ -100,12 +101,8 @@ def resize(mesh, sizes=None, *, parts=None, head_height=0.0, head=-1, up_axis="Y
     filter_, copy, name = _prepare(surface, parts)
     for part, size in rows:
         filter_.SetPartSize(part, size)
-    filter_.SetHeadHeight(head_height)
-    filter_.SetHead(head)
-    filter_.SetBlendWidth(blend_width)
-    filter_.SetKeepOnGround(keep_on_ground)
-    filter_.SetUpAxis("XYZ".index(str(up_axis).upper()))
-    execute(filter_, copy)
+    execute(filter_, copy, head_height=head_height, head=head, blend_width=blend_width, keep_on_ground=keep_on_ground,
+            up_axis=up_axis)
     result = surface.NewInstance()
     result.ShallowCopy(filter_.GetOutput())
     result.GetPointData().RemoveArray(name)

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Models ready for a 3D printer with one call: sphericalstyle.printable."""
 from . import SphericalStyleFilters, meshes
-from .messages import Error, execute
+from .messages import Error
+from .properties import execute
 
 
 def printable(mesh, *, foot_area=0.03, stability_angle=10.0, minimum_thickness=0.0, volume=0.0, height=0.0,
@@ -26,7 +27,8 @@ def printable(mesh, *, foot_area=0.03, stability_angle=10.0, minimum_thickness=0
     close_holes: fill the holes of an open mesh, which is an error with False. place_on_plate: turn up_axis ("X", "Y" or
     "Z") to z, and put the foot on z = 0 and the middle on x = y = 0.
 
-    Raises sphericalstyle.Error with the filter's message if the mesh cannot be printed.
+    Raises sphericalstyle.Error with the filter's message if the mesh cannot be printed, ValueError for values that are
+    out of range, TypeError for values of another kind.
 
     A ball on a foot, 40 high:
 
@@ -44,12 +46,8 @@ def printable(mesh, *, foot_area=0.03, stability_angle=10.0, minimum_thickness=0
         raise Error("this sphericalstyle was built without CGAL (SPHERICALSTYLE_WITH_CGAL), which printable() needs")
     surface, back = meshes.take(mesh, "printable")
     filter_ = SphericalStyleFilters.vtkPrintableFilter()
-    for name, value in (("FootArea", foot_area), ("StabilityAngle", stability_angle),
-                        ("MinimumThickness", minimum_thickness), ("Volume", volume), ("Height", height),
-                        ("CloseHoles", close_holes), ("PlaceOnPlate", place_on_plate),
-                        ("UpAxis", "XYZ".index(str(up_axis).upper()))):
-        getattr(filter_, "Set" + name)(value)
-    execute(filter_, surface)
+    execute(filter_, surface, foot_area=foot_area, stability_angle=stability_angle, minimum_thickness=minimum_thickness,
+            volume=volume, height=height, close_holes=close_holes, place_on_plate=place_on_plate, up_axis=up_axis)
     result = filter_.GetOutput().NewInstance()
     result.ShallowCopy(filter_.GetOutput())
     return back(result)

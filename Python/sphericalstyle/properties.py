@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The properties of vtkSphericalStyleFilter as keywords of Python, read from the class itself."""
+"""The properties of filters as keywords of Python, read from their classes."""
 import difflib
 import functools
 import operator
@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkPolyDataAlgorithm
 
+from .messages import Messages
 from .SphericalStyleFilters import vtkSphericalStyleFilter
 
 VTK_INT_MAX = 2**31 - 1
@@ -123,8 +124,14 @@ def _choices(style, name):
     return tuple(sorted(values, key=values.get))
 
 
-def _property(name):
-    style = vtkSphericalStyleFilter()
+def _name_of(keyword):
+    """NormalBlend of normal_blend."""
+    return "".join(word.capitalize() for word in keyword.split("_"))
+
+
+@functools.lru_cache(maxsize=None)
+def _property(kind, name):
+    style = kind()
     default = getattr(style, "Get" + name)()
     bounds = [getattr(style, f"Get{name}{end}Value", lambda: None)() for end in ("Min", "Max")]
     choices = _choices(style, name)
@@ -137,13 +144,49 @@ def _property(name):
 
 @functools.lru_cache(maxsize=None)
 def properties():
-    """{keyword: Property}, the three that make the shape first."""
+    """{keyword: Property} of vtkSphericalStyleFilter, the three that make the shape first."""
     style = vtkSphericalStyleFilter()
     own = set(dir(style)) - set(dir(vtkPolyDataAlgorithm)) - {"SetPreview"}  # for windows, while something is dragged
     names = [name[3:] for name in own if name.startswith("Set") and "Get" + name[3:] in own]
     names = [name for name in names if isinstance(getattr(style, "Get" + name)(), (int, float, tuple))]
     first = ["Roundness", "NormalBlend", "DetailSize"]
-    return {keyword_of(name): _property(name) for name in first + sorted(set(names) - set(first))}
+    return {keyword_of(name): _property(vtkSphericalStyleFilter, name) for name in first + sorted(set(names) - set(first))}
+
+
+def set_all(algorithm, keywords, other_names=None):
+    """Sets properties of an algorithm of ours, unless they are None. @return {name in VTK: keyword}
+    keywords: {keyword: value}, other_names: {keyword: name in VTK} where they differ"""
+    names = {}
+    for keyword, value in keywords.items():
+        name = (other_names or {}).get(keyword, _name_of(keyword))
+        names[name] = keyword
+        if value is not None:
+            _property(type(algorithm), name)._replace(keyword=keyword).set(algorithm, value)
+    return names
+
+
+def execute(algorithm, surface, other_names=None, **keywords):
+    """Executes a filter of ours on a surface, with these properties. Errors are raised, and warnings become those of
+    who calls our caller."""
+    names = set_all(algorithm, keywords, other_names)
+    algorithm.SetController(None)  # with MPI, too, each process has a mesh of its own
+    messages = Messages(algorithm)
+    algorithm.SetInputData(surface)
+    algorithm.Update()
+    raise_errors(messages, names)
+    messages.warn(stacklevel=4)
+
+
+def raise_errors(messages, keywords=None):
+    """An error of a property is a ValueError, as when Python finds it. keywords: {name in VTK: keyword}, by default
+    those of vtkSphericalStyleFilter"""
+    if keywords is None:
+        keywords = {property_.name: keyword for keyword, property_ in properties().items()}
+    for text in messages.errors:
+        words = re.match(r"(\w+)( must be .*)", text)
+        if words and words[1] in keywords:
+            raise ValueError(keywords[words[1]] + words[2])
+    messages.raise_errors(None if messages.errors else "The filter failed.")
 
 
 def closest(word, names):

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Round a mesh with one call: sphericalstyle.round."""
 import inspect
-import re
 import sys
 
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -10,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
 
 from . import meshes, part_sizes, presets
 from .messages import Error, Messages
-from .properties import closest, properties
+from .properties import closest, properties, raise_errors
 from .SphericalStyleFilters import vtkSphericalStyleFilter
 
 #: Keywords for values of each point, and the index of vtkSphericalStyleFilter's input array.
@@ -187,16 +186,6 @@ def add_arrays(style, surface, keywords):
             added.append(name)
         style.SetInputArrayToProcess(ARRAYS[keyword], 0, 0, vtkDataSet.FIELD_ASSOCIATION_POINTS, name)
     return surface, added
-
-
-def raise_errors(messages):
-    """An error of a property is a ValueError, as when Python finds it."""
-    by_name = {property_.name: keyword for keyword, property_ in properties().items()}
-    for text in messages.errors:
-        words = re.match(r"(\w+)( must be .*)", text)
-        if words and words[1] in by_name:
-            raise ValueError(by_name[words[1]] + words[2])
-    messages.raise_errors(None if messages.errors else "The filter failed.")
 
 
 def _describe():

@@ -10,7 +10,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from . import SphericalStyleFilters, meshes
 from .messages import Messages, printable
 from .model_files import ModelError, is_gltf, read, whole
-from .rounding import MESHES, add_arrays, is_array, make, raise_errors
+from .properties import raise_errors, set_all
+from .rounding import MESHES, add_arrays, is_array, make
 
 
 class Slider(NamedTuple):
@@ -45,13 +46,8 @@ def write_slider(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.
     if not hasattr(SphericalStyleFilters, "vtkStyleGLTFWriter"):
         raise ModelError(f"{name}: this sphericalstyle was built without glTF (SPHERICALSTYLE_WITH_GLTF)")
     writer = SphericalStyleFilters.vtkStyleGLTFWriter()
-    for keyword, name_, value in (("maximum_roundness", "MaximumRoundness", maximum_roundness),
-                                  ("tolerance", "Tolerance", tolerance),
-                                  ("maximum_targets", "MaximumNumberOfTargets", maximum_targets)):
-        low, high = (getattr(writer, f"Get{name_}{end}Value")() for end in ("Min", "Max"))
-        if not low <= value <= high:
-            raise ValueError(f"{keyword} must be {low:g} to {high:g}; it is {value}")
-        getattr(writer, "Set" + name_)(value)
+    set_all(writer, {"maximum_roundness": maximum_roundness, "tolerance": tolerance, "maximum_targets": maximum_targets},
+            {"maximum_targets": "MaximumNumberOfTargets"})
     properties = {keyword: value for keyword, value in properties.items() if value is not None}
     style = make(preset, **properties)
     writer.SetStyle(style)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The parts of a mesh with one call: sphericalstyle.parts."""
 from . import meshes
-from .messages import execute
+from .properties import execute
 from .SphericalStyleFilters import vtkSurfacePartsFilter
 
 
@@ -16,7 +16,8 @@ def parts(mesh, number=0):
     number: how many parts; 0: as many as are clearly there. sphericalstyle.StyleWarning tells where there are fewer or
     more.
 
-    Raises sphericalstyle.Error with the filter's message if the mesh cannot be used.
+    Raises sphericalstyle.Error with the filter's message if the mesh cannot be used, ValueError for a number that is
+    out of range.
 
     A snowman, whose body and head become balls of their own:
 
@@ -41,6 +42,5 @@ def parts(mesh, number=0):
 
     surface, _ = meshes.take(mesh, "parts")
     found = vtkSurfacePartsFilter()
-    found.SetNumberOfParts(number)
-    execute(found, surface)
+    execute(found, surface, {"number": "NumberOfParts"}, number=number)
     return vtk_to_numpy(found.GetOutput().GetPointData().GetArray("PartId")).copy()

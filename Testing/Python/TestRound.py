@@ -369,6 +369,26 @@ for wrong, words in ((1.3, "not 1.3"), ([(1, 1.3)], "such as {0: 1.3}"), ({"head
         assert words in str(error), error
 assert same(points(ss.resize(creature, {np.int32(1): np.float32(1.5)}, parts=ids)),
             points(ss.resize(creature, {1: 1.5}, parts=ids)))
+# What round() refuses, the others refuse likewise.
+top = [{"place": (0, 1, 0)}]
+for function, keyword, value, kind, words in (
+        (ss.resize, "blend_width", 5, ValueError, "blend_width must be 0.01 to 1; it is 5"),
+        (ss.resize, "head_height", -1, ValueError, "head_height must be 0 or more; it is -1"),
+        (ss.resize, "up_axis", "up", ValueError, "up_axis must be \"X\", \"Y\" or \"Z\"; it is 'up'"),
+        (ss.parts, "number", 999, ValueError, "number must be 0 to 256; it is 999"),
+        (ss.parts, "number", 1.5, TypeError, "number must be a whole number; it is 1.5"),
+        (ss.deform, "tolerance", 2, ValueError, "tolerance must be 1e-14 to 0.5; it is 2"),
+        (ss.deform, "maximum_iterations", -1, ValueError, "maximum_iterations must be 0 or more; it is -1"),
+        (ss.printable, "foot_area", 3, ValueError, "foot_area must be 0 to 1; it is 3"),
+        (ss.printable, "height", -1, ValueError, "height must be 0 or more; it is -1"),
+        (ss.printable, "close_holes", "x", TypeError, "close_holes must be True or False; it is 'x'")):
+    if function is ss.printable and not hasattr(ss, "vtkPrintableFilter"):  # without CGAL
+        continue
+    try:
+        function(creature, **{keyword: value}, **({"handles": top} if function is ss.deform else {}))
+        raise AssertionError(words)
+    except (TypeError, ValueError) as error:
+        assert (type(error), str(error)) == (kind, words), error
 # Ears, 7 and 8, go along with the head.
 assert same(points(ss.resize(creature, {0: 1.3}, parts=ids)),
             points(ss.resize(creature, {0: 1.3, 7: 1.3, 8: 1.3}, parts=ids)))
