@@ -220,13 +220,15 @@ bool FindShear(const SupportPolygon& support, const Eigen::Vector2d& center, dou
 /// The lean that takes the center of mass above the foot, as far as a lean can. [stands]
 void FindLean(const PrintableOptions& options, Stand& stand)
 {
-  if (options.stabilityAngle == 0.0)
-  {
-    stand.tiltAngle = 0.0;
-    return;
-  }
   const int axis = options.axis;
   const TriangleMesh& mesh = stand.surface.mesh;
+  if (options.stabilityAngle == 0.0)
+  {
+    // Near a tip the cut can leave a foot without an area: a larger one is tried.
+    const bool isPoint = options.footArea > 0.0 && GroundArea(mesh, axis, 0.0) == 0.0;
+    stand.tiltAngle = isPoint ? -90.0 : 0.0;
+    return;
+  }
   const SupportPolygon support = FindSupport(mesh.P, axis, OnGround * Extent(mesh.P, axis));
   const Eigen::Vector3d centerOfMass = CenterOfMass(mesh);
   const Eigen::Vector2d center = Across(centerOfMass, axis);
@@ -368,7 +370,7 @@ void StandAndScale(
   {
     stand.footRemark = "The foot takes " + std::to_string(std::lround(100.0 * share)) +
       " % of the height along " + "XYZ"[options.axis] + " off the model: a smaller " +
-      (stand.isLarger ? "StabilityAngle" : "FootArea") +
+      (stand.isLarger && options.stabilityAngle > 0.0 ? "StabilityAngle" : "FootArea") +
       " takes less, and UpAxis chooses another side to stand on";
   }
   result.remarks.clear();

@@ -408,6 +408,29 @@ void TestThickResult()
     "thick enough after it was scaled: " << kept.after.thickness);
 }
 
+/// Near a tip, where short edges are not cut, the foot is somewhat larger than wanted, and no
+/// point.
+void TestTip()
+{
+  const TriangleMesh tips = Meshes::Make(
+    { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } },
+    { { 0, 1, 2 }, { 1, 3, 2 }, { 3, 4, 2 }, { 4, 0, 2 }, { 1, 0, 5 }, { 3, 1, 5 }, { 4, 3, 5 },
+      { 0, 4, 5 } });
+  for (const double angle : { 0.0, 0.1 })
+  {
+    for (const double area : { 1e-4, 1e-3, 2e-3, 1e-2 })
+    {
+      PrintableOptions options;
+      options.footArea = area;
+      options.stabilityAngle = angle;
+      const PrintableResult made = MakePrintable(tips, options);
+      const double foot = GroundArea(made.surface.mesh, options.axis, 1e-9) / 4.0;
+      CHECK(foot >= (1.0 - 1e-9) * area && foot <= 1.2 * std::max(area, 0.05 * 0.05 / 2.0),
+        "the foot of a double pyramid is " << foot << ", wanted was " << area);
+    }
+  }
+}
+
 /// What is out of reach comes as near as it can, with a remark.
 void TestOutOfReach()
 {
@@ -471,6 +494,7 @@ int main()
   TestLean();
   TestWalls();
   TestThickResult();
+  TestTip();
   TestOutOfReach();
   TestHoles();
   return CheckResult();
