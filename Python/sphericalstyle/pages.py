@@ -4,13 +4,14 @@
 import base64
 import html
 import json
+import os
 import pathlib
 import struct
 import tempfile
 
 from . import presets
 from .messages import printable
-from .model_files import ModelError, whole
+from .model_files import ModelError, read, whole
 from .properties import properties as known_properties
 from .sliders import write_slider
 
@@ -30,6 +31,8 @@ def write_page(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.00
     path = pathlib.Path(path)
     if path.suffix.lower() not in PAGES:
         raise ModelError(f"{printable(path)}: the name of a page ends in .html")
+    if isinstance(mesh, (str, os.PathLike)):  # once, and of a .glb its shape alone
+        mesh = read(mesh)
     known = known_properties()
     choices = [(name, item.description, name, {key: value for key, value in properties.items()
                                                if key not in known or known[key].name not in item.properties})

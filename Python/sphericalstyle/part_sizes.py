@@ -50,7 +50,9 @@ def style_arrays(surface, parts, roundness, normal_blend):
         filter_.SetPartNormalBlend(part, value)
     execute(filter_, copy)
     made = filter_.GetOutput().GetPointData()
-    return [made.GetArray(name) for name, given in zip(("PartRoundness", "PartNormalBlend"), rows) if given]
+    # None of a part that is not there, of which there was a warning
+    arrays = [made.GetArray(name) for name, given in zip(("PartRoundness", "PartNormalBlend"), rows) if given]
+    return [array for array in arrays if array]
 
 
 def resize(mesh, sizes=None, *, parts=None, head_height=0.0, head=-1, up_axis="Y", blend_width=0.05,
@@ -73,9 +75,9 @@ def resize(mesh, sizes=None, *, parts=None, head_height=0.0, head=-1, up_axis="Y
     blend_width: how far parts pass into each other, as a fraction of the diagonal of the bounds. keep_on_ground: the
     lowest point stays at its height.
 
-    Raises sphericalstyle.Error with the filter's message if the mesh cannot be used, ValueError for parts of another
-    length and values that are out of range, TypeError for values of another kind and sizes that are no dict of whole
-    numbers and numbers.
+    Raises sphericalstyle.Error with the filter's message if the mesh or a size cannot be used, ValueError for parts of
+    another length and values of other keywords that are out of range, TypeError for values of another kind and sizes
+    that are no dict of whole numbers and numbers.
 
     A snowman with a large head:
 

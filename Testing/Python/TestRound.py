@@ -411,6 +411,10 @@ for wrong, words in (({"parts": ids}, "needs part_roundness"), ({"part_roundness
         raise AssertionError(wrong)
     except TypeError as error:
         assert words in str(error), error
+with warnings.catch_warnings(record=True) as caught:
+    warnings.simplefilter("always")
+    assert same(points(ss.round(creature, part_roundness={99: 2.0}, parts=ids)), points(ss.round(creature)))
+assert [warning for warning in caught if "99" in str(warning.message)], caught
 try:
     ss.round(creature, part_normal_blend={0: 2.0}, parts=ids)
     raise AssertionError("out of range")

@@ -68,6 +68,10 @@ triangle = [[0.0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]
 ss.write_page(place("chibi.html"), triangle, preset="chibi", maximum_targets=2)
 names = [preset["name"] for preset in data_of(place("chibi.html"))[0]["presets"]]
 assert names[0] == "Chibi" and sorted(names) == sorted(ss.presets.PRESETS), "a name in any letters is that preset"
+ss.write(place("bare.glb"), snowman)  # has no normals, and a page shows any number of meshes
+ss.write_page(place("bare.html"), place("bare.glb"))
+shown, _ = data_of(place("bare.html"))
+assert len(decoded(shown["points"], np.float32)) >= 3 * snowman.GetNumberOfPoints() and not shown["colors"]
 try:
     ss.write_page(place("page.txt"), snowman)
     raise AssertionError("not refused")
