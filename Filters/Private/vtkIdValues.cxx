@@ -37,12 +37,15 @@ vtkIdType vtkIdValues::operator[](vtkIdType i) const
 std::vector<vtkIdType> vtkIdValues::OfMesh(const vtkSurfaceMesh& surface) const
 {
   std::vector<vtkIdType> ids(surface.Mesh.P.rows());
-  for (auto i = static_cast<vtkIdType>(surface.MeshPoint.size()) - 1; i >= 0; --i)
+  std::vector<char> isKnown(ids.size(), 0);
+  for (vtkIdType i = 0; i < static_cast<vtkIdType>(surface.MeshPoint.size()); ++i)
   {
     const int point = surface.MeshPoint[i];
     if (point != vtkSurfaceMesh::NotMoved)
     {
-      ids[point] = (*this)[i]; // the first of coincident points comes last
+      const vtkIdType id = (*this)[i];
+      ids[point] = isKnown[point] ? ids[point] : id; // of coincident points that of the first
+      isKnown[point] = 1;
     }
   }
   return ids;

@@ -349,6 +349,7 @@ void Refused(Checker& check)
   halves->SetNumberOfValues(snowman->GetNumberOfPoints());
   halves->FillValue(1.0);
   halves->SetValue(5, 0.5);
+  halves->SetValue(70, 0.5); // the first one is named
   snowman->GetPointData()->AddArray(halves);
   refuse("no whole numbers", "point 5 has 0.5", array("Halves"), array("PartId"));
   vtkNew<vtkIntArray> each;
