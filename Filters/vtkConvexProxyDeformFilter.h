@@ -4,10 +4,10 @@
  * @class   vtkConvexProxyDeformFilter
  * @brief   round any mesh, or part of it, by the rounding of its convex hull
  *
- * For meshes whose own triangles are too bad for vtkSphericalStyleFilter (slivers, cracks, loose
- * parts), and where only part of a model shall change. The convex hull of the input is meshed
- * evenly (the proxy) and rounded; each input point is projected to the proxy and goes part of the
- * way with it. No triangle of the input takes part, so none can do harm.
+ * For models that should follow their convex hull, such as cars and houses, and where only part of
+ * a model shall change; slivers, cracks and loose parts do no harm. The convex hull of the input is
+ * meshed evenly (the proxy) and rounded; each input point is projected to the proxy and goes part
+ * of the way with it. No triangle of the input takes part, so none can do harm.
  *
  * Input port 0: vtkPolyData, the model. Any cells; every point takes part, also points of no cell.
  *
@@ -54,7 +54,7 @@
  * chapter 5, Eq. 5.1 - 5.18. The bracketed labels are those of
  * Filters/Documentation/ConvexProxyDeform.md.
  *
- * Cost: proxy and rounding depend on NumberOfProxyPoints (.5 s for 5000), the projection takes some
+ * Cost: proxy and rounding depend on NumberOfProxyPoints (.2 s for 5000), the projection takes some
  * microseconds per point. All three are kept between executions as long as nothing they depend on
  * has changed: a new t, gain, region or transfer costs milliseconds.
  *
@@ -164,7 +164,7 @@ public:
    * How the hull becomes a mesh of even triangles: IsotropicRemeshing (default; by CGAL),
    * BallPivoting (thesis; Poisson-disk samples and a rolling ball), AdvancingFront (by CGAL on the
    * same samples) or SubdividedHull (the hull's own triangles with long edges cut: exactly the
-   * hull, slivers included). A sampling mesher that fails, on thin and flat hulls, hands over to
+   * hull, slivers included). A mesher that fails, on thin and flat hulls, hands over to
    * IsotropicRemeshing with a warning. No effect with a proxy of your own.
    */
   vtkSetRangeMacro(ProxyMesher, int, ISOTROPIC_REMESHING, SUBDIVIDED_HULL);

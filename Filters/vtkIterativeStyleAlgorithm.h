@@ -57,7 +57,7 @@ public:
   ///@{
   /**
    * Converged: bound on the estimated energy gap (E - E*) / (E_0 - E*), E_0 the energy of the
-   * unmoved model, E* that of the minimum. Smaller is nearer and slower. No unit. Above 0, below 1.
+   * unmoved model, E* that of the minimum. Smaller is nearer and slower. No unit. Range 1e-14..0.5.
    * Default 1e-4; 1e-3 of vtkCubicStyleFilter, 1e-5 of vtkHandleDeformFilter.
    */
   vtkSetRangeMacro(Tolerance, double, 1e-14, 0.5);

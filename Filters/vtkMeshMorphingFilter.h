@@ -48,8 +48,8 @@
  * Computational Physics 231(2), 2012 [near]. The thesis rounds surfaces only. The bracketed labels
  * are those of Filters/Documentation/MeshMorphing.md.
  *
- * Cost: volume cells: three to thirty steps, each a solve by conjugate gradients of three rows for
- * each inner point; 0.5 kB for each tetrahedron, 3 kB for each hexahedron. Other points: 20
+ * Cost: volume cells: two to some tens of steps, each a solve by conjugate gradients of three rows
+ * for each inner point; 0.5 kB for each tetrahedron, 3 kB for each hexahedron. Other points: 20
  * microseconds for each.
  *
  * @sa vtkSphericalStyleFilter vtkWarpVector vtkMeshQuality

@@ -14,9 +14,9 @@
  * carried along unmoved. Open borders, several components, non-manifold edges and coincident points
  * are allowed. It may be spread over processes: in closed form each rounds its own part, and what
  * is sent does not depend on the number of points, but for those that several processes have. A
- * region, center ids, Symmetry, Target Mesh, a rest pose, AvoidSelfIntersections, a surface with
- * one side, points that are not welded and edges to be split have it gathered instead, and so has
- * the energy (vtkWholeSurfaceAlgorithm).
+ * region, center ids, Symmetry, Target Mesh, a rest pose, AvoidSelfIntersections, a
+ * one-sided surface, points that are not welded and edges to be split have it gathered instead, and
+ * so has the energy (vtkWholeSurfaceAlgorithm).
  *
  * Input port 1, optional: vtkPointSet, centers of your own for array 5, one point per id: in the
  * order of the ids, or, when it has a point array of that array's name, the point with that id.
@@ -27,14 +27,15 @@
  * Input port 3, optional: vtkPolyData, the rest pose of a model that moves, with the same points
  * and cells: a time step of it, or a skin before it is posed. Grid, thickness, radius and split
  * edges are those of the rest pose, so that nothing jitters and steps are faster [pose]. In closed
- * form only, and not with AvoidSelfIntersections.
+ * form only, and not with AvoidSelfIntersections, Symmetry or ReproduceThesis.
  *
  * Input port 4, optional: vtkPolyData, the mesh for Target Mesh: closed, and all of it seen from
  * the centroid of its surface. It may be anywhere, and of any size.
  *
  * Input arrays to process, all optional, all of point data:
- *  - 0: normals, 3 components, used where NormalBlend > 0 with DetailSize 0 (default: the active
- *       normals, or computed ones; with DetailSize > 0 the base has normals of its own);
+ *  - 0: normals, 3 components, used where NormalBlend > 0 with DetailSize 0, and where an energy is
+ *       minimized with NormalRadius WholeModel (default: the active normals, or computed ones;
+ *       with DetailSize > 0 the base has normals of its own);
  *  - 1: roundness factor, 1 component, >= 0: the Roundness of a point is Roundness times it
  *       (default: the array PartRoundness of vtkPartSizesFilter, where there is one);
  *  - 2: normal blend, 1 component, 0..1: replaces NormalBlend point by point (default: the array
@@ -67,12 +68,12 @@
  * Output port 1: vtkTable, one row for the start and one per iteration, none in closed form:
  * Iteration, Total, Rigid, Spherical (energies, length^2), LocalChange, GlobalChange, Residual
  * (Eq. 3.46), Gap (estimated, see Tolerance; NaN while unknown). Its field data: StageSeconds
- * (Base, Weights, Analyze, Factor, Iterate), LinearSolver, Spheres (4: center and radius), one
- * tuple per center id, ascending, NumberOfStitches and NumberOfWallStitches (see
- * ComponentCoupling), Advice (GetAdvice) and, where each process has rounded its own part,
- * BytesExchanged (2: sent and received, one tuple per process). With AvoidSelfIntersections the
- * table is that of the last solve, and its field data has TurnedOver and NewIntersectingPairs (2:
- * before, after), GuardSolves and GuardSeconds.
+ * (Base, Weights, Analyze, Factor, Iterate, Triangles), LinearSolver, Spheres (4: center and
+ * radius), one tuple per center id, ascending, NumberOfStitches (vtkThesisStyleFilter) and
+ * NumberOfWallStitches (pairs through thin walls [wall]), Advice (GetAdvice) and, where each
+ * process has rounded its own part, BytesExchanged (2: sent and received, one tuple per process).
+ * With AvoidSelfIntersections the table is that of the last solve, and its field data has
+ * TurnedOver and NewIntersectingPairs (2: before, after), GuardSolves and GuardSeconds.
  *
  * Output port 2: vtkPolyData, the target sphere that was used, as circles of longitude and latitude
  * to look at; one sphere per center id. Empty where there was nothing to solve.
@@ -110,10 +111,10 @@
  * on one thread). The energy costs a sparse factorization of the mesh (about n log n), then per
  * iteration one rotation per point and one triangular solve.
  *
- * A warning names the first point of parts that keep less than a tenth of their thickness without
- * DetailSize; about 2000 points are looked at. Others tell of normals of the model that are off by
- * more than 60 degrees on a tenth of its area, where the result follows them, and of a model that
- * changes over time and is its own rest pose.
+ * A warning names the first point of parts that keep less than a tenth of their thickness, not
+ * in closed form with DetailSize; up to 2000 points are looked at. Others report normals of the
+ * model that are off by more than 60 degrees on more than a tenth of its area, where the result
+ * follows them, and of a model that changes over time and is its own rest pose.
  *
  * @warning Large Roundness without DetailSize scales details down with everything else: at 5 a face
  * is gone. With NormalRadius WholeModel and NormalBlend > 0 the surface may fold at concave places
@@ -344,8 +345,8 @@ public:
    * Lengths of the target along x, y and z, of which only the ratios count, no shorter than a tenth
    * of the longest. 0 0 0 (default): the axes and proportions of the model, by the second moments
    * of its surface; axes within 20 degrees of x, y or z are that, so that targets stand upright.
-   * All above 0 or all 0, else an error. A cylinder or capsule lies along the axis that differs
-   * most. Of no use for Sphere and Mesh.
+   * All above 0 or all 0, else an error. A cylinder lies along the axis that differs most, a
+   * capsule along the longest. Ignored for Sphere and Mesh.
    */
   vtkSetVector3Macro(TargetLengths, double);
   vtkGetVector3Macro(TargetLengths, double);
@@ -409,7 +410,8 @@ public:
 
   ///@{
   /**
-   * Radius r when RadiusMode is Custom, model length. Larger grows the model. Above 0. Default 1.
+   * Radius r when RadiusMode is Custom, model length. Larger is rounder, and
+   * also larger where KeepSize is Off. Above 0. Default 1.
    */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
@@ -419,10 +421,10 @@ public:
   /**
    * Size of the details that keep their shape and only turn, as a fraction of the diagonal of the
    * model's bounds [base]: they ride on a base that is smooth at this size. 0: no details, all of
-   * the model is blended (thesis). .03 keeps a face on a ball, .06 (default) limbs of characters.
-   * Walls thinner than twice the size keep their thickness [wall]. Where the model has so much area
-   * that the grid would have more than 60000 functions, the base is smoother than asked for, and a
-   * warning says so. Range 0..0.2.
+   * the model is blended (thesis). .03 keeps a face, .06 (default) also ears and hands.
+   * Walls thinner than twice the size keep most of their thickness [wall]. Where the model has so
+   * much area that the grid would have more than 60000 functions, the base is smoother than asked
+   * for, and a warning says so. Range 0..0.2.
    */
   vtkSetRangeMacro(DetailSize, double, 0.0, 0.2);
   vtkGetMacro(DetailSize, double);
@@ -452,7 +454,8 @@ public:
   ///@{
   /**
    * Length over which several centers pass into each other along the surface, as a fraction of the
-   * diagonal of the bounds. 0 changes from one edge to the next. Range 0..1, default 0.02.
+   * diagonal of the bounds. 0 changes from one edge to the next; in closed form anything else is at
+   * least 0.02. Range 0..1, default 0.02.
    */
   vtkSetRangeMacro(CenterBlendWidth, double, 0.0, 1.0);
   vtkGetMacro(CenterBlendWidth, double);
@@ -477,7 +480,7 @@ public:
    * of the output. What the input has already stays. With NormalBlend 0 on models without thin
    * parts it rarely changes anything: then the result has the same bits as without. Off with
    * ReproduceThesis. Cost: a search for self-intersections, and where it finds
-   * some up to 26 solves and searches, usually 10 to 20. Needs CGAL: an error in libraries built
+   * some up to 26 solves and 30 searches, usually 10 to 20. Needs CGAL: an error in libraries built
    * without it. Default off.
    */
   vtkSetMacro(AvoidSelfIntersections, bool);

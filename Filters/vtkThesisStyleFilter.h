@@ -53,8 +53,9 @@ public:
   ///@{
   /**
    * What happens to edges whose target points against them on the rest shape (only where
-   * NormalBlend > 0 or targets are given): Keep (default), Flip (Eq. 4.39: convex gets more convex,
-   * concave more concave) or Zero (no target, the edge shrinks).
+   * NormalBlend > 0, targets are given, or the Target is no Sphere): Keep (default), Flip
+   * (Eq. 4.39: convex gets more convex, concave more concave) or Zero (no target, the edge
+   * shrinks).
    */
   vtkSetRangeMacro(ConcaveEdges, int, KEEP, ZERO);
   vtkGetMacro(ConcaveEdges, int);

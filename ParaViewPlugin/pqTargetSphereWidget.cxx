@@ -139,7 +139,9 @@ void pqTargetSphereWidget::updateStatement()
   vtkSMProperty* blend = this->proxy()->GetProperty("NormalBlend");
   if (blend && vtkSMPropertyHelper(blend).GetAsDouble() == 1.0)
   {
-    statement = tr("The center does not change the shape where Limbs is 1.");
+    statement =
+      tr("The center does not change the shape where Limbs is 1 and Roundness is the same "
+         "everywhere.");
   }
   this->Statement->setText(statement);
   this->Statement->setVisible(!text.isEmpty());

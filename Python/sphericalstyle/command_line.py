@@ -39,7 +39,8 @@ formats:
   read   {' '.join(sorted(READERS))}
   written  {' '.join(sorted(WRITERS))}
   Texture coordinates and arrays are kept where the format has them: .vtp and .vtk keep everything, .ply colors and
-  texture coordinates, .obj and .glb texture coordinates, .stl and .3mf shape alone. The unit of .3mf is the millimeter.
+  texture coordinates, .obj texture coordinates, .glb these and colors that are the active scalars, .stl and .3mf shape
+  alone. The unit of .3mf is the millimeter.
   Files that exist are replaced.
 
 exit codes:
