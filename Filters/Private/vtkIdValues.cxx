@@ -36,16 +36,15 @@ vtkIdType vtkIdValues::operator[](vtkIdType i) const
 
 std::vector<vtkIdType> vtkIdValues::OfMesh(const vtkSurfaceMesh& surface) const
 {
-  std::vector<vtkIdType> ids(surface.Mesh.P.rows());
-  std::vector<char> isKnown(ids.size(), 0);
+  const std::vector<vtkIdType> first = surface.FirstInputPoints();
+  std::vector<vtkIdType> ids(first.size());
   for (vtkIdType i = 0; i < static_cast<vtkIdType>(surface.MeshPoint.size()); ++i)
   {
     const int point = surface.MeshPoint[i];
     if (point != vtkSurfaceMesh::NotMoved)
     {
-      const vtkIdType id = (*this)[i];
-      ids[point] = isKnown[point] ? ids[point] : id; // of coincident points that of the first
-      isKnown[point] = 1;
+      const vtkIdType id = (*this)[i]; // checked, also of points that are not the first at a place
+      ids[point] = first[point] == i ? id : ids[point];
     }
   }
   return ids;
