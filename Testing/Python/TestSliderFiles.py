@@ -68,10 +68,18 @@ triangle = [[0.0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]
 ss.write_page(place("chibi.html"), triangle, preset="chibi", maximum_targets=2)
 names = [preset["name"] for preset in data_of(place("chibi.html"))[0]["presets"]]
 assert names[0] == "Chibi" and sorted(names) == sorted(ss.presets.PRESETS), "a name in any letters is that preset"
-ss.write(place("bare.glb"), snowman)  # has no normals, and a page shows any number of meshes
+ss.write(place("bare.glb"), snowman)  # has no normals
 ss.write_page(place("bare.html"), place("bare.glb"))
 shown, _ = data_of(place("bare.html"))
 assert len(decoded(shown["points"], np.float32)) >= 3 * snowman.GetNumberOfPoints() and not shown["colors"]
+maker = GLTFFiles.Maker(scene=0, scenes=[{"nodes": [0, 1]}])  # a page shows all meshes, where the scene has them
+P, _, F, _ = GLTFFiles.ball()
+primitive = {"attributes": {"POSITION": maker.add(P, bounds=True)}, "indices": maker.add(F.ravel(), np.uint32)}
+maker.root |= {"meshes": [{"primitives": [primitive]}], "nodes": [{"mesh": 0}, {"mesh": 0, "translation": [5, 0, 0]}]}
+ss.write_page(place("two.html"), maker.save(place("two.glb")))
+shown, _ = data_of(place("two.html"))
+X = decoded(shown["points"], np.float32).reshape(-1, 3)[:, 0]
+assert np.allclose([X.min(), X.max()], [P[:, 0].min(), P[:, 0].max() + 5], atol=1e-6), (X.min(), X.max())
 try:
     ss.write_page(place("page.txt"), snowman)
     raise AssertionError("not refused")
