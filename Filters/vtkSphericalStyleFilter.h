@@ -14,9 +14,9 @@
  * carried along unmoved. Open borders, several components, non-manifold edges and coincident points
  * are allowed. It may be spread over processes: in closed form each rounds its own part, and what
  * is sent does not depend on the number of points, but for those that several processes have. A
- * region, center ids, Symmetry, Target Mesh, a rest pose, AvoidSelfIntersections, a
- * one-sided surface, points that are not welded and edges to be split have it gathered instead, and
- * so has the energy (vtkWholeSurfaceAlgorithm).
+ * region, center ids, Symmetry, Target Mesh, a rest pose, AvoidSelfIntersections, a one-sided
+ * surface, points that are not welded and edges to be split have it gathered instead, and so has
+ * the energy (vtkWholeSurfaceAlgorithm).
  *
  * Input port 1, optional: vtkPointSet, centers of your own for array 5, one point per id: in the
  * order of the ids, or, when it has a point array of that array's name, the point with that id.
@@ -410,8 +410,8 @@ public:
 
   ///@{
   /**
-   * Radius r when RadiusMode is Custom, model length. Larger is rounder, and
-   * also larger where KeepSize is Off. Above 0. Default 1.
+   * Radius r when RadiusMode is Custom, model length. A larger one makes the model rounder, and
+   * larger where KeepSize is Off. Above 0. Default 1.
    */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);

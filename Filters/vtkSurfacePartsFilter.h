@@ -17,8 +17,8 @@
  * Output port 0: vtkPolyData, the input with the array
  *  - PartId (1), points and cells: from 0, the part with the largest area, on; -1 for points of no
  *    polygon, and cells that are none (by Array everything that has a value is in a part). A cell
- * is of the part that most of its points are of, of the lowest of several; with an array of cells a
- * point is of the part of its first cell.
+ *    is of the part that most of its points are of, of the lowest of several; with an array of
+ *    cells a point is of the part of its first cell.
  *
  * Output port 1: vtkTable, one row for each part, in their order: Part, Points, Cells, Area
  * (length^2), Center (3; area centroid of its cells, length), Thickness (half of the thickness of

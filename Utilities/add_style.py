@@ -26,9 +26,9 @@ FILES = {
     "Icon.svg": "ParaViewPlugin/Icons/@Name@.svg",
     "Page.md": "Filters/Documentation/@Page@.md",
 }
+UNRELEASED = "## [Unreleased]\n\n"  # of the changelog
 # Entries in tables and lists: the file, the text before, the new entry, and the text after. The entry goes to the
 # first place where the text after directly follows the text before.
-UNRELEASED = "## [Unreleased]\n\n"
 PLACES = [
     ("Filters/filters.json", "", """\
     {

@@ -408,8 +408,8 @@ void TestThickResult()
     "thick enough after it was scaled: " << kept.after.thickness);
 }
 
-/// Near a tip, where short edges are not cut, the foot is somewhat larger than wanted, and no
-/// point.
+/// Near a tip, where short edges are not cut, the foot is somewhat larger than wanted: it must not
+/// be a point.
 void TestTip()
 {
   const TriangleMesh tips = Meshes::Make(

@@ -100,9 +100,9 @@ struct PreviewPlaces
 ///
 ///     smooth_s(smooth_s(G'_k G_k^T + N' N^T / (w_k sqrt(|N'| |N|)))).
 ///
-/// Call this matrix S_i. It is not determined where det S_i < 0 and the two smaller singular values
-/// are equal. c_i, the smoothstep of RotationCertainty, is 1 where det S_i >= 0 and goes to 0
-/// toward such a place.
+/// Call this matrix S_i. R_i is not determined where det S_i < 0 and the two smaller singular
+/// values are equal. c_i, the smoothstep of RotationCertainty, is 1 where det S_i >= 0 and goes to
+/// 0 toward such a place.
 ///
 /// Details give way where they would fold: with a_k the area of B' in sample k
 /// along the turned normal R_k N_k, b_k that of P', and g_k = a_k / 2 - b_k > 0, the share that
