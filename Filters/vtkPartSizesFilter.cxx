@@ -16,6 +16,7 @@
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -511,8 +512,15 @@ vtkDataArray* vtkPartSizesFilter::FindParts(vtkPolyData* input, const vtkSurface
   bare->CopyStructure(input);
   vtkNew<vtkSurfacePartsFilter> finder;
   finder->SetInputData(bare);
-  vtkNew<vtkCallbackCommand> silence; // this filter gives the same remarks
+  vtkNew<vtkCallbackCommand> silence; // this filter gives the same remarks, and says what failed
   finder->AddObserver(vtkCommand::WarningEvent, silence);
+  finder->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
+  std::string failure;
+  vtkNew<vtkCallbackCommand> listen;
+  listen->SetClientData(&failure);
+  listen->SetCallback([](vtkObject*, unsigned long, void* said, void* text)
+    { *static_cast<std::string*>(said) = PlainMessage(static_cast<const char*>(text)); });
+  finder->AddObserver(vtkCommand::ErrorEvent, listen);
   vtkNew<vtkCallbackCommand> progress;
   progress->SetClientData(this);
   progress->SetCallback(
@@ -520,20 +528,24 @@ vtkDataArray* vtkPartSizesFilter::FindParts(vtkPolyData* input, const vtkSurface
     {
       auto* looking = vtkAlgorithm::SafeDownCast(caller);
       auto* filter = static_cast<vtkPartSizesFilter*>(self);
-      filter->UpdateProgress(0.1 * looking->GetProgress());
+      if (!Aborted(filter))
+      {
+        filter->UpdateProgress(0.1 * looking->GetProgress());
+      }
       looking->SetAbortExecute(Aborted(filter) ? 1 : 0);
     });
   finder->AddObserver(vtkCommand::ProgressEvent, progress);
   finder->Update();
+  if (Aborted(this))
+  {
+    return nullptr;
+  }
   vtkDataArray* ids = finder->GetOutput()->GetPointData()->GetArray("PartId");
   if (!ids)
   {
-    if (!Aborted(this))
-    {
-      throw std::runtime_error("Part id: the search for parts has failed, see the message before "
-                               "this one; choose an array of points as PartArray");
-    }
-    return nullptr;
+    throw std::runtime_error("the search for parts failed (" +
+      (failure.empty() ? "not enough memory" : failure) + // also for the message
+      "); choose an array of points as PartArray");
   }
   this->Found = std::make_unique<FoundParts>(FoundParts{ surface.Mesh, surface.MeshPoint, ids });
   return this->Found->Ids;

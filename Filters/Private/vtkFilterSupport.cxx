@@ -172,6 +172,18 @@ const char* WordsOf(const std::exception& error)
   return dynamic_cast<const std::bad_alloc*>(&error) ? "not enough memory" : error.what();
 }
 
+std::string PlainMessage(const char* text)
+{
+  std::string message = text ? text : "";
+  const std::size_t address = message.find("): ");
+  message = address == std::string::npos ? message : message.substr(address + 3);
+  while (!message.empty() && message.back() == '\n')
+  {
+    message.pop_back();
+  }
+  return message;
+}
+
 int RunGuarded(vtkAlgorithm* self, vtkInformationVector* outputs,
   const std::function<int()>& execute, const std::function<void()>& forget)
 {

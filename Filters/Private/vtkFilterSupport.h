@@ -74,6 +74,10 @@ void ReportFailure(vtkAlgorithm* self, vtkInformationVector* outputs, const char
 /// What the error says; of std::bad_alloc, whose own text is its name, "not enough memory".
 const char* WordsOf(const std::exception& error);
 
+/// What a filter said, without source file, line and address.
+/// @param text  of vtkCommand::ErrorEvent or WarningEvent
+std::string PlainMessage(const char* text);
+
 /// For RequestData: runs `execute`. What it throws becomes an error message, and there is no output
 /// then: no exception gets into the pipeline, which does not expect any.
 /// @param forget  drops what is kept between executions: a failure that is not of the input, such

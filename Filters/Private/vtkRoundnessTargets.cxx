@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRoundnessTargets.h"
 
+#include "vtkFilterSupport.h"
 #include "vtkSphericalStyleFilter.h"
 
 #include "vtkAlgorithm.h"
@@ -36,19 +37,6 @@ using vtkRoundnessTargets::Vectors;
 
 namespace
 {
-/// The filter's message without source file, line and address.
-std::string PlainMessage(const char* text)
-{
-  std::string message = text ? text : "";
-  const std::size_t address = message.find("): ");
-  message = address == std::string::npos ? message : message.substr(address + 3);
-  while (!message.empty() && message.back() == '\n')
-  {
-    message.pop_back();
-  }
-  return message;
-}
-
 /// The text without its numbers, and of things that are counted the singular: at other places of
 /// the slider the filter warns of the same with other numbers.
 std::string WithoutNumbers(const std::string& text)
@@ -122,7 +110,7 @@ private:
   static void Listen(vtkObject*, unsigned long event, void* self, void* text)
   {
     auto* const filter = static_cast<BorrowedFilter*>(self);
-    const std::string message = PlainMessage(static_cast<const char*>(text));
+    const std::string message = vtkFilterSupport::PlainMessage(static_cast<const char*>(text));
     if (event == vtkCommand::ErrorEvent)
     {
       filter->Error = filter->Error.empty() ? message : filter->Error;

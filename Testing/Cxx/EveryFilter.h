@@ -11,12 +11,14 @@
 #include "vtkGaussMapFilter.h"
 #include "vtkHandleDeformFilter.h"
 #include "vtkNonlinearStyleFilter.h"
+#include "vtkPartSizesFilter.h"
 #include "vtkSphereProjectionFilter.h"
 #include "vtkSurfaceDiagnostics.h"
 #include "vtkSurfaceMetrics.h"
 #include "vtkSurfacePartsFilter.h"
 #ifdef SPHERICALSTYLE_WITH_CGAL
 #include "vtkConvexProxyDeformFilter.h"
+#include "vtkPrintableFilter.h"
 #endif
 
 namespace FilterTesting
@@ -128,6 +130,13 @@ inline std::vector<Subject> Subjects()
         f->AddHandle(high);
         f->SetMaximumNumberOfIterations(20);
       }),
+    SubjectOf<vtkPartSizesFilter>("vtkPartSizesFilter",
+      [](vtkPartSizesFilter* f)
+      {
+        f->SetPartSize(0, 1.3);
+        f->SetPartRoundness(0, 0.5);
+        f->KeepOnGroundOn();
+      }),
     ObserverOf<vtkGaussMapFilter>("vtkGaussMapFilter"),
     ObserverOf<vtkSurfaceMetrics>("vtkSurfaceMetrics"),
     ObserverOf<vtkSurfacePartsFilter>("vtkSurfacePartsFilter",
@@ -154,6 +163,8 @@ inline std::vector<Subject> Subjects()
       f->SetRefineLongEdgesToOff();
       f->SetNumberOfProxyPoints(500);
     }));
+  all.push_back(ObserverOf<vtkPrintableFilter>(
+    "vtkPrintableFilter", [](vtkPrintableFilter* f) { f->SetMinimumThickness(0.05); }));
 #endif
   return all;
 }
