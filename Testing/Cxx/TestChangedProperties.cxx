@@ -396,6 +396,114 @@ void LongEdges(Checker& check)
       { "as the thesis has them", [](Main* f) { f->ReproduceThesisOn(); } } });
 }
 
+/// Filters that measure the surface, or make it anew.
+void Companions(Checker& check, vtkPolyData* input)
+{
+  using Metrics = vtkSurfaceMetrics;
+  CheckChanges<Metrics>(check, "vtkSurfaceMetrics", WithSeamAndPart(input), [](Metrics*) {},
+    { { "a reference",
+        [input](Metrics* f) { f->SetReferenceData(WithSeamAndPart(Shifted(input, {}))); } },
+      { "condition", [](Metrics* f) { f->EstimateConditionOn(); } },
+      { "of another system", [](Metrics* f) { f->SetRoundness(3.0); } },
+      { "seams open", [](Metrics* f) { f->WeldCoincidentPointsOff(); } },
+      { "seams shut", [](Metrics* f) { f->WeldCoincidentPointsOn(); } },
+      { "another center", [](Metrics* f) { f->SetCenterModeToAreaCentroid(); } },
+      { "less of it",
+        [](Metrics* f)
+        {
+          f->MeasureThicknessOff();
+          f->EstimateConditionOff();
+        } } });
+  using Parts = vtkSurfacePartsFilter;
+  CheckChanges<Parts>(check, "vtkSurfacePartsFilter", WithArrays(input), [](Parts*) {},
+    { { "by connectivity", [](Parts* f) { f->SetMethodToConnectivity(); } },
+      { "by shape", [](Parts* f) { f->SetMethodToShape(); } },
+      { "three", [](Parts* f) { f->SetNumberOfParts(3); } },
+      { "by an array",
+        [](Parts* f)
+        {
+          f->SetMethodToArray();
+          f->SetInputArrayToProcess(0, 0, 0, OfPoints, "part");
+        } },
+      { "by another array",
+        [](Parts* f) { f->SetInputArrayToProcess(0, 0, 0, OfPoints, "region"); } } });
+  using Sizes = vtkPartSizesFilter;
+  CheckChanges<Sizes>(check, "vtkPartSizesFilter",
+    WithArrays(Together({ input, Shifted(input, { 0.3, 0.2, 2.5 }) })),
+    [](Sizes* f) { f->SetPartSize(0, 1.3); },
+    { { "another part", [](Sizes* f) { f->SetPartSize(1, 0.8); } },
+      { "roundness", [](Sizes* f) { f->SetPartRoundness(1, 0.5); } },
+      { "wider", [](Sizes* f) { f->SetBlendWidth(0.2); } },
+      { "on the ground", [](Sizes* f) { f->KeepOnGroundOn(); } },
+      { "an array",
+        [](Sizes* f)
+        {
+          f->SetInputArrayToProcess(0, 0, 0, OfPoints, "part");
+          f->RemoveAllPartSizes();
+          f->SetPartSize(8, 1.2);
+          f->SetPartRoundness(8, 0.5);
+        } },
+      { "along z", [](Sizes* f) { f->SetUpAxisToZ(); } },
+      { "head", [](Sizes* f) { f->SetHeadHeight(0.8); } },
+      { "parts of its own",
+        [](Sizes* f)
+        {
+          f->SetInputArrayToProcess(0, 0, 0, OfPoints, "");
+          f->SetHeadHeight(0.0);
+        } },
+      { "sizes", [](Sizes* f) { f->SetPartSize(0, 1.3); } } });
+#ifdef SPHERICALSTYLE_WITH_CGAL
+  using Printable = vtkPrintableFilter;
+  CheckChanges<Printable>(check, "vtkPrintableFilter", input, [](Printable*) {},
+    { { "larger foot", [](Printable* f) { f->SetFootArea(0.1); } },
+      { "no foot",
+        [](Printable* f)
+        {
+          f->SetFootArea(0.0);
+          f->SetStabilityAngle(0.0);
+        } },
+      { "walls", [](Printable* f) { f->SetMinimumThickness(1.7); } },
+      { "volume", [](Printable* f) { f->SetVolume(3.0); } },
+      { "height",
+        [](Printable* f)
+        {
+          f->SetVolume(0.0);
+          f->SetHeight(3.0);
+        } },
+      { "thinner walls", [](Printable* f) { f->SetMinimumThickness(0.0); } },
+      { "along z", [](Printable* f) { f->SetUpAxisToZ(); } },
+      { "on the plate", [](Printable* f) { f->PlaceOnPlateOn(); } },
+      { "a foot again", [](Printable* f) { f->SetFootArea(0.05); } },
+      { "stable", [](Printable* f) { f->SetStabilityAngle(30.0); } } });
+#endif
+}
+
+/// Filters with an energy of their own.
+void OtherEnergies(Checker& check, vtkPolyData* input)
+{
+  using Block = vtkBlockStyleFilter;
+  CheckChanges<Block>(check, "vtkBlockStyleFilter", input,
+    [](Block* f) { f->SetMaximumNumberOfIterations(2); },
+    { { "more", [](Block* f) { f->SetBlockiness(3.0); } },
+      { "longer", [](Block* f) { f->SetMaximumNumberOfIterations(4); } },
+      { "less", [](Block* f) { f->SetBlockiness(0.1); } } });
+  using Nonlinear = vtkNonlinearStyleFilter;
+  CheckChanges<Nonlinear>(check, "vtkNonlinearStyleFilter", input,
+    [](Nonlinear* f)
+    {
+      f->SetStopRuleToFixedIterations();
+      f->SetMaximumNumberOfIterations(4);
+    },
+    { { "more", [](Nonlinear* f) { f->SetRoundness(2.0); } },
+      { "longer", [](Nonlinear* f) { f->SetMaximumNumberOfIterations(6); } },
+      { "as written", [](Nonlinear* f) { f->SetCenterConstraintToAsWritten(); } },
+      { "corrected", [](Nonlinear* f) { f->SetCenterConstraintToCorrected(); } },
+      { "another center", [](Nonlinear* f) { f->SetCenterModeToPointMean(); } },
+      { "energies", [](Nonlinear* f) { f->GenerateCellEnergyOn(); } },
+      { "the thesis", [](Nonlinear* f) { f->ReproduceThesisOn(); } },
+      { "not the thesis", [](Nonlinear* f) { f->ReproduceThesisOff(); } } });
+}
+
 void OtherFilters(Checker& check, vtkPolyData* input)
 {
   using Cubic = vtkCubicStyleFilter;
@@ -498,6 +606,8 @@ int TestChangedProperties(int, char*[])
   LongEdges(check);
   MethodsInTurn(check, WithSeamAndPart(ball));
   OtherFilters(check, ball);
+  OtherEnergies(check, ball);
+  Companions(check, ball);
   HandleRows(check, WithSeamAndPart(ball));
   Energy(check, ball);
   return check.Result();

@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkPrintableFilter.h"
@@ -283,6 +284,106 @@ void CheckMessages(Checker& check)
   refuses(moebius, "7 border edges, the first at point "); // with its seam
 }
 
+/// A bottle whose sections are figures of eight, one half larger than the other: where it is cut,
+/// nobody can say what is inside.
+void CheckCrossingFoot(Checker& check)
+{
+  constexpr vtkIdType Around = 24;
+  constexpr vtkIdType Rings = 5;
+  std::vector<Vector> points;
+  std::vector<Cell> triangles;
+  for (vtkIdType ring = 0; ring < Rings; ++ring)
+  {
+    for (vtkIdType i = 0; i < Around; ++i)
+    {
+      const double phi = 2.0 * vtkMath::Pi() * static_cast<double>(i) / Around;
+      const double r = (1.0 + 0.5 * std::sin(phi)) * std::sin(0.5 * (1.0 + ring));
+      points.push_back({ r * std::sin(phi), 1.0 * ring, r * std::sin(phi) * std::cos(phi) });
+      const vtkIdType a = ring * Around + i;
+      const vtkIdType b = ring * Around + (i + 1) % Around;
+      if (ring == 0)
+      {
+        triangles.push_back({ Rings * Around, a, b });
+      }
+      if (ring == Rings - 1)
+      {
+        triangles.push_back({ Rings * Around + 1, b, a });
+        continue;
+      }
+      triangles.push_back({ a, a + Around, b + Around });
+      triangles.push_back({ a, b + Around, b });
+    }
+  }
+  points.push_back({ 0.0, -1.0, 0.0 });
+  points.push_back({ 0.0, 1.0 * Rings, 0.0 });
+  Printed printed(MakeSurface(points, triangles));
+  vtkPolyData* output = printed.Output();
+  check(printed.Errors.size() == 1 && output->GetNumberOfPoints() == 0 &&
+      Contains(printed.Errors.front(), "the model runs through itself where it would be cut, ") &&
+      Contains(printed.Errors.front(), "or 0 for no cut"),
+    "a foot that crosses itself should be refused" + Joined(printed.Errors));
+  printed.Get()->SetFootArea(0.0);
+  printed.Get()->SetStabilityAngle(0.0);
+  printed.Errors.clear();
+  output = printed.Output();
+  check(printed.Errors.empty() && output->GetNumberOfPoints() == Rings * Around + 2 &&
+      printed.Entry("SelfIntersectingTriangles") > 0.0,
+    "without a cut it should come out as it is" + Joined(printed.Errors));
+}
+
+/// A wide hole gets points of its own: arrays have the values of the nearest point there.
+void CheckWideHole(Checker& check)
+{
+  const Surface open = Ball();
+  open->BuildCells();
+  std::vector<char> isLeft(open->GetNumberOfPoints(), 0);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < open->GetNumberOfCells(); ++cell)
+  {
+    open->GetCellPoints(cell, corners);
+    if (open->GetPoint(corners->GetId(0))[1] > 0.9)
+    {
+      open->DeleteCell(cell);
+      continue;
+    }
+    for (const vtkIdType corner : *corners)
+    {
+      isLeft[corner] = 1;
+    }
+  }
+  open->RemoveDeletedCells();
+  Printed printed(open);
+  printed.Get()->SetFootArea(0.0);
+  printed.Get()->SetStabilityAngle(0.0);
+  vtkPolyData* output = printed.Output();
+  const vtkIdType before = std::count(isLeft.begin(), isLeft.end(), 1);
+  check(printed.Errors.empty() && printed.Entry("HolesClosed") == 1.0 &&
+      output->GetNumberOfPoints() > before + 10,
+    "the hole should be filled with points of its own" + Joined(printed.Errors));
+  vtkDataArray* heights = output->GetPointData()->GetArray("HeightOfPoint");
+  vtkIdType added = 0;
+  bool asNearest = true;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double nearest = HUGE_VAL;
+    double height = 0.0;
+    for (vtkIdType j = 0; j < open->GetNumberOfPoints(); ++j)
+    {
+      const double distance = std::sqrt(
+        vtkMath::Distance2BetweenPoints(PointOf(output, i).data(), PointOf(open, j).data()));
+      if (isLeft[j] && distance < nearest)
+      {
+        nearest = distance;
+        height = PointOf(open, j)[1];
+      }
+    }
+    added += nearest > 0.0 ? 1 : 0;
+    asNearest = asNearest && heights->GetTuple1(i) == height;
+  }
+  check(added == output->GetNumberOfPoints() - before, "all other points should be as they were");
+  check(asNearest, "arrays should have the values of the nearest point");
+}
+
 /// Two tetrahedra at an edge of four faces.
 void CheckEdgesOfMany(Checker& check)
 {
@@ -320,6 +421,8 @@ int TestPrintableFilter(int, char*[])
   CheckPlaces(check);
   CheckWalls(check);
   CheckMessages(check);
+  CheckCrossingFoot(check);
+  CheckWideHole(check);
   CheckEdgesOfMany(check);
   return check.Result();
 }

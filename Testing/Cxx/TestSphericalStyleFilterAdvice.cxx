@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// What the filter says of its result: the warning of thinned parts, and the advice, which comes in
 /// every execution, in method and table alike, and changes nothing.
-#include "FilterTesting.h"
+#include "ArrayTesting.h"
 
 #include "vtkCubeSource.h"
 #include "vtkDoubleArray.h"
@@ -240,6 +240,31 @@ void Advice(Checker& check)
   filter->SetInputData(vtkNew<vtkPolyData>());
   Expect(check, "empty input", filter, "");
 }
+
+/// The warning names a DetailSize that the grid is fine enough for.
+void DetailsTooSmall(Checker& check)
+{
+  check.About("DetailSize too small");
+  Watched<vtkSphericalStyleFilter> filter;
+  filter->SetInputData(MakeEllipsoid({ 1.0, 1.0, 1.0 }, Faces::Triangles, 24, 13));
+  filter->SetDetailSize(0.01);
+  filter->SetNormalBlend(0.0);
+  filter->Update();
+  const std::string before = "the base is as smooth as with DetailSize ";
+  const std::string said = filter.Warnings.empty() ? "" : filter.Warnings.front();
+  const std::size_t at = said.find(before);
+  if (!check(filter.Warnings.size() == 1 && at != std::string::npos &&
+          Contains(said, "DetailSize 0.01 is too small for the area of this model"),
+        "there should be one warning" + Joined(filter.Warnings)))
+  {
+    return;
+  }
+  filter->SetDetailSize(std::stod(said.substr(at + before.size())));
+  check(filter->GetDetailSize() > 0.01, "it should name a larger one: " + said);
+  filter.Warnings.clear();
+  filter->Update();
+  check(filter.Warnings.empty(), "its advice should be good" + Joined(filter.Warnings));
+}
 }
 
 int TestSphericalStyleFilterAdvice(int, char*[])
@@ -249,5 +274,6 @@ int TestSphericalStyleFilterAdvice(int, char*[])
   WallsStay(check);
   NormalsThatDoNotFit(check);
   Advice(check);
+  DetailsTooSmall(check);
   return check.Result();
 }
