@@ -158,14 +158,11 @@ class Maker:
     def add(self, values, kind=np.float32, bounds=False, target=None, **more):
         """@return the number of the new accessor"""
         values = np.asarray(values, kind)
-        self.binary += b"\0" * (-len(self.binary) % 4)
-        view = {"buffer": 0, "byteOffset": len(self.binary), "byteLength": values.nbytes}
-        self.root["bufferViews"].append({**view, "target": target} if target else view)
-        self.binary += values.tobytes()
+        view = self.view(values, **({"target": target} if target else {}))
         components = values.shape[1] if values.ndim == 2 else 1
         names = {count: name for name, count in COMPONENTS.items()}
         code = next(code for code, known in TYPES.items() if np.dtype(known) == values.dtype)
-        item = {"bufferView": len(self.root["bufferViews"]) - 1, "componentType": code, "count": len(values),
+        item = {"bufferView": view, "componentType": code, "count": len(values),
                 "type": names[components], **more}
         if bounds:
             rows = values.reshape(len(values), -1)
@@ -173,11 +170,13 @@ class Maker:
         self.root["accessors"].append(item)
         return len(self.root["accessors"]) - 1
 
-    def image(self, png):
-        """@return the number of the buffer view"""
+    def view(self, content, **more):
+        """@return the number of the new buffer view"""
         self.binary += b"\0" * (-len(self.binary) % 4)
-        self.root["bufferViews"].append({"buffer": 0, "byteOffset": len(self.binary), "byteLength": len(png)})
-        self.binary += png
+        first = len(self.binary)
+        self.binary += bytes(content)
+        size = len(self.binary) - first
+        self.root["bufferViews"].append({"buffer": 0, "byteOffset": first, "byteLength": size, **more})
         return len(self.root["bufferViews"]) - 1
 
     def bytes(self, more=b""):

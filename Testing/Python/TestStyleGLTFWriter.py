@@ -179,6 +179,11 @@ assert writer.Write() == 1
 style.Update()
 assert style.GetInput() is creature and style.GetRoundness() == 0.7 and not style.GetGenerateNormals()
 assert (points(style.GetOutput()) == before).all()
+messages = Messages(writer)
+writer.SetFileName(os.path.join(folder, "own.ply"))
+assert writer.Write() == 0 and "must end in .glb or .gltf" in messages.errors[0], messages.errors
+assert not os.path.exists(os.path.join(folder, "own.ply"))
+writer.SetFileName(os.path.join(folder, "own.glb"))
 
 # --------------------------------------------------------------------------------------------------- rounded already
 # The file shows it as it looks, whatever Roundness was asked for, and a note says so. The slider rounds it further.
@@ -205,7 +210,7 @@ def make_scene():
     one that scales unevenly, a mesh shown twice, lines, somebody's extras and an extension, in an order of its own."""
     maker = GLTFFiles.Maker(extras={"author": "somebody", "number": 0.1}, extensionsUsed=["KHR_materials_unlit"],
                             scene=0)
-    view = maker.image(PNG)
+    view = maker.view(PNG)
     maker.root |= {
         "images": [{"bufferView": view, "mimeType": "image/png"}], "textures": [{"source": 0}],
         "materials": [{"name": "Skin", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicFactor": 0.25},
@@ -392,6 +397,62 @@ for keywords in (dict(normal_blend=0, **plain), dict(preset="Toy")):  # the last
             assert error < (3e-6 if slider.linear else 0.0015), (k, w, error)
         assert largest(moved[0], rest[0]) > 0.1 and (moved[1] == rest[1]).all(), "nothing moves what is shrunk to a point"
 
+# ------------------------------------------------------------------------------------------ as other programs store it
+# One ball, its points as floats, as floats of which a sparse accessor replaces some, all of them sparse, and as whole
+# numbers of two bytes: they are rounded alike.
+def of_points(add, **node):
+    maker = GLTFFiles.Maker()
+    maker.root |= {"meshes": [{"primitives": [{"attributes": {"POSITION": add(maker)},
+                                               "indices": maker.add(F.ravel(), np.uint16)}]}],
+                   "nodes": [{"mesh": 0, **node}], "scenes": [{"nodes": [0]}]}
+    return maker
+
+
+def sparse(maker, values, ids, **accessor):
+    return {"count": len(values), "type": "VEC3", "componentType": 5126, **accessor,
+            "sparse": {"count": len(ids), "indices": {"bufferView": maker.view(np.asarray(ids, np.uint16)),
+                                                      "componentType": 5123},
+                       "values": {"bufferView": maker.view(values[ids])}}}
+
+
+def partly(maker):
+    wrong = P.copy()
+    wrong[::7] = 99
+    number = maker.add(wrong)
+    maker.root["accessors"][number] |= sparse(maker, P, np.arange(0, len(P), 7))
+    return number
+
+
+def wholly(maker):
+    maker.root["accessors"].append(sparse(maker, P, np.flatnonzero((P != 0).any(axis=1))))
+    return len(maker.root["accessors"]) - 1
+
+
+P = (np.rint(ball()[0] * 1000) / 1000).astype(np.float32)
+F = ball()[2]
+stored = {"floats": of_points(lambda maker: maker.add(P)), "partly sparse": of_points(partly), "sparse": of_points(wholly),
+          "whole numbers": of_points(lambda maker: maker.add(np.rint(P * 1000), np.int16), scale=[0.001] * 3),
+          "shares of a number": of_points(lambda maker: maker.add(np.rint(P * 1000), np.int16, normalized=True),
+                                          scale=[32.767] * 3)}
+ends = {}
+for name, maker in stored.items():
+    slider, root, _ = write("stored-slider.glb", maker.save(os.path.join(folder, "stored.glb")), **plain)
+    moves = root["meshes"][0]["primitives"][0]["targets"][0]["POSITION"]
+    scale = root["nodes"][0].get("scale", [1])[0]
+    ends[name] = P + scale * GLTFFiles.numbers(*GLTFFiles.load(os.path.join(folder, "stored-slider.glb")), moves)
+    assert largest(ends[name], ends["floats"]) < 1e-5, (name, largest(ends[name], ends["floats"]))
+assert largest(ends["floats"], P) > 0.1
+
+# A buffer in a file beside the model: the result has to lie there, too.
+two_files = os.path.join(folder, "in two files.gltf")
+root = stored["floats"].root | {"buffers": [{"byteLength": len(stored["floats"].binary), "uri": "the%20buffer%4.bin"}]}
+with open(two_files, "w", encoding="utf-8") as file:
+    json.dump(root, file)
+with open(os.path.join(folder, "the buffer%4.bin"), "wb") as file:
+    file.write(stored["floats"].binary)
+write("beside.gltf", two_files, **plain)
+assert GLTFFiles.load(os.path.join(folder, "beside.gltf"))[0]["buffers"][0] == root["buffers"][0]
+
 # From JSON with a buffer in it, to both kinds.
 source = os.path.join(folder, "scene.glb")
 text = os.path.join(folder, "scene.gltf")
@@ -489,6 +550,32 @@ def text(**more):
 
 refused(text(buffers=[{"byteLength": 4, "uri": "/dev/zero"}]), "buffer 0", "/dev/zero", "is a device")
 refused(text(buffers=[{"byteLength": 4, "uri": "https://host/a.bin"}]), "buffer 0", "not a file beside")
+os.mkdir(os.path.join(folder, "sub"))
+refused(text(buffers=[{"byteLength": 4, "uri": "sub"}]), "buffer 0", "the file sub is a folder")
+refused(text(buffers=[{"byteLength": 4, "uri": "none.bin"}]), "buffer 0", "the file none.bin cannot be read")
+refused(text(buffers=[{"byteLength": 4, "uri": "data:,1234"}]), "buffer 0", "not base64")
+refused(text(buffers=[{"byteLength": 4, "uri": "data:;base64,12 4"}]), "buffer 0", "not base64")
+refused(text(buffers=[{"byteLength": 4, "uri": "data:;base64,AAAA"}]), "buffer 0", "3 bytes of 4")
+refused(text(buffers=[{"byteLength": 4, "uri": "\u00e9" * 99}]), "buffer 0", "the file " + "\u00e9" * 50 + "... cannot be")
+refused(lambda: ss.write_slider(os.path.join(folder, "sub", "x.gltf"), two_files), "the buffer%4.bin", "the same folder")
+refused(with_file(b"glTF\1\0\0\0" + bytes(20)), "bad.glb", "version 1")
+refused(with_file(b"glTF\2\0\0\0\24\0\0\0" + bytes(8)), "bad.glb", "cut off")
+refused(changed(lambda root: root["accessors"][1].update(count=10 ** 9)), "accessor 1", "too many elements, 1000000000")
+refused(changed(lambda root: root["accessors"][1].pop("bufferView")), "accessor 1", "has no data")
+refused(changed(lambda root: root["skins"][0].update(joints=[5, 0.5])), "skin 0", "not numbers of nodes")
+refused(changed(lambda root: root["meshes"][1]["primitives"][0]["attributes"].update(JOINTS_0=0)), "VEC4")
+refused(changed(lambda root: root["accessors"][5].update(count=4)), "mesh 1, primitive 0", "joints for 4 and weights for 325")
+refused(changed(lambda root: root["accessors"][2].update(count=4)), "mesh 0, primitive 0", "4 normals for 325 points")
+refused(changed(lambda root: root["meshes"][0]["primitives"].append({**root["meshes"][0]["primitives"][0], "targets": []})),
+        "mesh 0", "different numbers of morph targets")
+for words, change in (
+        ("sparse indices lead out of their bufferView", lambda item: item["sparse"]["indices"].update(byteOffset=10 ** 6)),
+        ("sparse values lead out of their bufferView", lambda item: item["sparse"]["values"].update(byteOffset=10 ** 6)),
+        ("sparse indices lead out of it", lambda item: item.update(count=3)),
+        ("has no sparse indices", lambda item: item["sparse"].pop("indices"))):
+    maker = of_points(partly)
+    change(maker.root["accessors"][0])
+    refused(with_file(maker.bytes()), "accessor 0", words)
 for long in (text(buffers=[{"byteLength": 4, "uri": "x" * 9999}]), text(nodes=[{"mesh": [0.5] * 9999}], scenes=[{"nodes": [0]}]),
              with_file(b'{"asset": {"version": "2.0' + b"0" * 9999)):
     assert len(refused(long, "bad.glb")) < 500 + len(folder)
