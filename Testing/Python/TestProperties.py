@@ -1,15 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every property with a range, of every class: a value beyond it is replaced by the nearest one inside, with a warning
-that names the property; NaN is an error when the algorithm runs. So nothing is replaced in silence.
+"""Every property of every class is printed. A value beyond the range of a property is replaced by the nearest one inside,
+with a warning that names the property; NaN is an error when the algorithm runs. So nothing is replaced in silence.
 
-usage: TestRanges.py FOLDER   (where writers write)
+usage: TestProperties.py FOLDER   (where writers write)
 """
 import math
 import pathlib
+import re
 import sys
 
+from vtkmodules.vtkCommonExecutionModel import vtkPointSetAlgorithm, vtkPolyDataAlgorithm
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOCore import vtkWriter
 
 from sphericalstyle import SphericalStyleFilters
 from sphericalstyle.messages import Messages
@@ -32,7 +35,7 @@ def executed(algorithm):
     messages = Messages(algorithm)
     algorithm.SetInputData(source.GetOutput())
     if hasattr(algorithm, "SetFileName"):
-        algorithm.SetFileName(str(folder / "ranges.glb"))
+        algorithm.SetFileName(str(folder / "properties.glb"))
         algorithm.Write()
     else:
         algorithm.Update()
@@ -47,6 +50,19 @@ def can_be_made(kind):
 
 
 kinds = [getattr(SphericalStyleFilters, name) for name in dir(SphericalStyleFilters) if name.startswith("vtk")]
+PLURALS = {"Handle": "Handles", "PartSize": "PartSizes"}  # rows
+count = 0
+for kind in filter(can_be_made, kinds):
+    algorithm = kind()
+    printed = re.findall(r"^ *(\w+):", str(algorithm), re.MULTILINE)
+    names = [name[3:] for name in dir(kind) if name.startswith("Get") and hasattr(kind, "Set" + name[3:])
+             and not any(hasattr(base, name) for base in (vtkPolyDataAlgorithm, vtkPointSetAlgorithm, vtkWriter))]
+    for name in names:
+        assert PLURALS.get(name, name) in printed, (kind, name, str(algorithm))
+    count += len(names)
+assert count > 100, count
+print(f"{count} properties printed")
+
 count = 0
 for kind in filter(can_be_made, kinds):
     names = [name[3:-8] for name in dir(kind) if name.startswith("Get") and name.endswith("MinValue")]
