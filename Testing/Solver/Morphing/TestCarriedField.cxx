@@ -76,7 +76,7 @@ void TestAgainstSum()
   }
   const double moved = (Q - ball.P).rowwise().norm().maxCoeff();
   std::cout << "groups differ from the sum by " << largest / moved << " of the motion\n";
-  CHECK_NEAR(largest / moved, 0.0, 0.03, "difference from the sum");
+  CHECK_NEAR(largest / moved, 0.0, 0.02, "difference from the sum");
 }
 
 // Along a line that comes close: the change over a small step falls with the step, everywhere.
