@@ -160,7 +160,7 @@ vtkIdType SizeHead(const SphericalStyle::PartSizes& sized, const Points& P,
   {
     return -1;
   }
-  const int known = number < 0 ? -1 : parts.Find(number);
+  const int known = number == -1 ? -1 : parts.Find(number);
   if (known == parts.Count())
   {
     throw std::invalid_argument(

@@ -341,6 +341,14 @@ void Refused(Checker& check)
       f->SetHead(5);
     },
     [](vtkPartSizesFilter* f) { f->SetHead(-1); });
+  refuse(
+    "no head below -1", "Head: there is no part -2; there are 3, 7",
+    [](vtkPartSizesFilter* f)
+    {
+      f->SetHeadHeight(0.5);
+      f->SetHead(-2);
+    },
+    [](vtkPartSizesFilter* f) { f->SetHead(-1); });
   const auto array = [](const char* name)
   { return [name](vtkPartSizesFilter* f) { f->SetInputArrayToProcess(0, 0, 0, OfPoints, name); }; };
   refuse("no such array", "no numeric point array \"Missing\"", array("Missing"), array("PartId"));
