@@ -22,12 +22,15 @@ version=$(sed -n 's/^  VERSION \([0-9.]*\)$/\1/p' "$project/CMakeLists.txt")
 # What is released is a commit, and its number is the same everywhere.
 step_state()
 {
-  local changes
+  local changes date line
   cd "$project"
   changes=$(git status --porcelain)
   [ -z "$changes" ] || { echo "The work tree has changes:"; echo "$changes"; return 1; }
-  grep -q "^## \[$version\] - 20[0-9][0-9]-" CHANGELOG.md ||
-    { echo "CHANGELOG.md has no section \"## [$version] - DATE\""; return 1; }
+  date=$(sed -n "s/^## \[$version\] - \(20[0-9-]*\)$/\1/p" CHANGELOG.md)
+  [ -n "$date" ] || { echo "CHANGELOG.md has no section \"## [$version] - DATE\""; return 1; }
+  for line in "version: $version" "date-released: $date"; do
+    grep -qxF "$line" CITATION.cff || { echo "CITATION.cff has no line \"$line\""; return 1; }
+  done
   ! git rev-parse --quiet --verify "refs/tags/v$version" ||
     { echo "The tag v$version is there already: raise VERSION in CMakeLists.txt"; return 1; }
 }
