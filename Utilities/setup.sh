@@ -62,7 +62,7 @@ case ${1:-} in
   --packages) packages+=(debian-archive-keyring dpkg-dev file iproute2 mmdebstrap) ;;
   --system) packages=(debian-archive-keyring iproute2 mmdebstrap) ;;
   --checks)
-    packages+=(clang clang-format clang-tidy codespell gcovr pyflakes3 shellcheck valgrind
+    packages+=(clang clang-format clang-tidy codespell gcovr libclang-rt-dev pyflakes3 shellcheck valgrind xz-utils
       "${documentation[@]}" python3-yaml)
     ;;
   --docs) packages=(git "${documentation[@]}") ;;
