@@ -115,9 +115,15 @@ def report(options, results):
 
 def main():
     options = parse()
-    text = report(options, measure(options))
+    results = measure(options)
+    text = report(options, results)
     support.write_text(options, "goals.md", text)
     print(text)
+    hashes = {}
+    for (family, points, _), record in support.summarize(results).items():
+        hashes.setdefault((family, points), set()).add(record["hash"])
+    if different := [case for case, of_case in hashes.items() if len(of_case) > 1]:
+        sys.exit(f"two threads give other bits than one: {different}")
 
 
 if __name__ == "__main__":
