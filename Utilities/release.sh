@@ -96,7 +96,8 @@ step_fuzz()
 {
   local target longest
   cmake --build "$project/build-fuzz" --target FuzzFilters FuzzFiles
-  mkdir -p "$build/fuzz"
+  rm -rf "$build/fuzz"
+  mkdir "$build/fuzz"
   cd "$build"
   for target in Filters Files; do
     longest=$([ "$target" = Filters ] && echo 420 || echo 8000)
