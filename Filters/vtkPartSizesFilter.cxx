@@ -274,6 +274,11 @@ vtkPartSizesFilter::~vtkPartSizesFilter() = default;
 
 void vtkPartSizesFilter::SetRow(Rows& rows, double part, double value)
 {
+  if (std::isnan(part)) // which has no place among numbers
+  {
+    vtkErrorMacro("A part must be a number; it is nan");
+    return;
+  }
   const auto [at, isNew] = rows.Values.emplace(part, value);
   if (isNew || at->second != value)
   {
@@ -511,6 +516,7 @@ vtkDataArray* vtkPartSizesFilter::FindParts(vtkPolyData* input, const vtkSurface
   vtkNew<vtkPolyData> bare;
   bare->CopyStructure(input);
   vtkNew<vtkSurfacePartsFilter> finder;
+  finder->SetController(nullptr); // the surface is all here, and other processes are not asked
   finder->SetInputData(bare);
   vtkNew<vtkCallbackCommand> silence; // this filter gives the same remarks, and says what failed
   finder->AddObserver(vtkCommand::WarningEvent, silence);

@@ -81,7 +81,7 @@ public:
    * How large a part becomes, as a multiple of what it is: 1.6 for a large head. No unit, above 0;
    * another one is an error. All other parts have size 1, except that what hangs on the head alone,
    * such as ears and hair, has the size of the head [head]. The part is its number in the array, a
-   * whole one; numbers that do not occur lead to a warning.
+   * whole one; numbers that do not occur lead to a warning, and NaN is an error at once.
    *
    * AddPartSize is for rows of a table, of which no two should be of one part: the last one counts,
    * and a warning names the part.

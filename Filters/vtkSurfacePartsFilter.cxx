@@ -322,10 +322,21 @@ int vtkSurfacePartsFilter::Execute(
   const std::vector<PartMeasures> parts = PutInOrder(surface, found);
   AddPartIds(output->GetPointData(), found.OfPoints);
   AddPartIds(output->GetCellData(), found.OfCells);
-  output->GetCellData()->SetActiveScalars("PartId"); // so that Apply shows the parts
   MakeTable(table, parts);
   this->EffectiveNumberOfParts = static_cast<int>(parts.size());
   return 1;
+}
+
+int vtkSurfacePartsFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int done = this->Superclass::RequestData(request, inputVector, outputVector);
+  vtkCellData* cells = vtkPolyData::GetData(outputVector, 0)->GetCellData();
+  if (cells->HasArray("PartId")) // also where this process has a part of the surface
+  {
+    cells->SetActiveScalars("PartId"); // so that Apply shows the parts
+  }
+  return done;
 }
 
 vtkFoundParts vtkSurfacePartsFilter::FindByShape(const vtkSurfaceMesh& surface)

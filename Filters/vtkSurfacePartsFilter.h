@@ -99,6 +99,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestWholeData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

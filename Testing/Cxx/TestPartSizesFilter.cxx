@@ -341,6 +341,12 @@ void Refused(Checker& check)
       f->SetHead(5);
     },
     [](vtkPartSizesFilter* f) { f->SetHead(-1); });
+  Sizes numbers(snowman);
+  numbers->SetPartSize(3, 1.5);
+  numbers->SetPartSize(std::nan(""), 2.0);
+  check(numbers.Errors.size() == 1 && Contains(numbers.Errors.front(), "A part must be a number") &&
+      numbers->GetPartSize(3) == 1.5,
+    "NaN should be refused, and be no other part" + Joined(numbers.Errors));
   refuse(
     "no head below -1", "Head: there is no part -2; there are 3, 7",
     [](vtkPartSizesFilter* f)

@@ -307,6 +307,10 @@ def check_one_surface():
                  exact=True, global_ids=True)
     check_spread("another filter: analogy", sphericalstyle.vtkNormalAnalogyFilter, small, in_slices(small))
     check_spread("another filter: projection", sphericalstyle.vtkSphereProjectionFilter, small, in_slices(small))
+    check_spread("another filter: part sizes, of parts that it looks for", sphericalstyle.vtkPartSizesFilter, small,
+                 in_slices(small), prepare=lambda f: f.SetPartSize(0, 1.3))
+    run = Run(sphericalstyle.vtkSurfacePartsFilter, Piece(small, in_slices(small)).data)
+    assert not run.errors and run.output.GetCellData().GetScalars().GetName() == "PartId"
     if hasattr(sphericalstyle, "vtkConvexProxyDeformFilter"):
         check_spread("another filter: proxy", sphericalstyle.vtkConvexProxyDeformFilter, creature,
                      in_slices(creature), Blend=0.3)
