@@ -169,6 +169,7 @@ void FillOutput(vtkPolyData* output, vtkPolyData* input, const ClosedInput& clos
   vtkCellData* cells = output->GetCellData();
   cells->CopyNormalsOff();
   cells->CopyAllocate(input->GetCellData(), m);
+  cells->SetNumberOfTuples(m); // NullData passes over strings
   for (vtkIdType f = 0; f < m; ++f)
   {
     const vtkIdType corners[3] = { made.mesh.F(f, 0), made.mesh.F(f, 1), made.mesh.F(f, 2) };

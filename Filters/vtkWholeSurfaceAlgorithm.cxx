@@ -24,6 +24,7 @@
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +119,13 @@ vtkSmartPointer<vtkSelection> TakeMarks(vtkPolyData* whole)
   auto selection = vtkSmartPointer<vtkSelection>::New();
   selection->AddNode(node);
   return selection;
+}
+
+/// Whether a surface can only be in parts because somebody downstream asks for pieces.
+bool IsOneProcess()
+{
+  vtkMultiProcessController* all = vtkMultiProcessController::GetGlobalController();
+  return !all || all->GetNumberOfProcesses() == 1;
 }
 
 bool SameSize(vtkPolyData* a, vtkPolyData* b)
@@ -424,9 +432,32 @@ int vtkWholeSurfaceAlgorithm::RunTogether(bool hasPoints, vtkInformationVector* 
   return PART_FAILED;
 }
 
+int vtkWholeSurfaceAlgorithm::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const int done = this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  for (int p = 0; IsOneProcess() && p < this->GetNumberOfInputPorts(); ++p)
+  {
+    for (int k = 0; k < inputs[p]->GetNumberOfInformationObjects(); ++k)
+    {
+      vtkInformation* input = inputs[p]->GetInformationObject(k);
+      input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+  }
+  return done;
+}
+
 int vtkWholeSurfaceAlgorithm::RequestData(
   vtkInformation* request, vtkInformationVector** original, vtkInformationVector* outputVector)
 {
+  vtkInformation* wanted = outputVector->GetInformationObject(0);
+  if (IsOneProcess() && wanted->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) &&
+    wanted->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1; // the whole is in the first piece, and nothing in the others
+  }
   const int ports = this->GetNumberOfInputPorts();
   const auto held = Held(original, ports);
   const std::unique_ptr<Inputs> without = Needed(this, original, ports);

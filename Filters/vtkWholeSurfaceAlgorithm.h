@@ -27,7 +27,8 @@
  * something to gather; so all of them have to execute (as ParaView does), and none waits for
  * another one in the middle of its blocks. What one process refuses is refused by all. A process
  * that fails before, in an upstream filter, leaves the others waiting, as with all filters that
- * communicate.
+ * communicate. Where there is one process, and whoever comes after asks for pieces, the whole is in
+ * the first piece, and nothing in the others.
  *
  * @sa vtkAggregateDataSetFilter vtkRedistributeDataSetFilter vtkGenerateGlobalIds
  */
@@ -88,6 +89,7 @@ protected:
   int RunTogether(bool hasPoints, vtkInformationVector* outputs, const vtkProcesses& processes,
     const std::function<void()>& execute);
 
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   vtkMultiProcessController* Controller = nullptr;

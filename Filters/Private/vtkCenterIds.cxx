@@ -10,6 +10,7 @@
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 using SphericalStyle::Points;
@@ -46,8 +47,9 @@ Points vtkCenterIds::Centers(vtkPointSet* given) const
   {
     throw std::invalid_argument("Centers: points are given, but no array of center ids (index 5)");
   }
-  const vtkIdType n = given->GetNumberOfPoints();
   vtkDataArray* own = given->GetPointData()->GetArray(this->ArrayName.c_str());
+  const vtkIdType n =
+    std::min(given->GetNumberOfPoints(), own ? own->GetNumberOfTuples() : VTK_ID_MAX);
   Points centers(this->Values.size(), 3);
   for (std::size_t k = 0; k < this->Values.size(); ++k)
   {

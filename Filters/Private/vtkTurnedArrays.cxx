@@ -57,11 +57,13 @@ enum class Kind
   Normals
 };
 
-bool IsTurned(vtkDataSetAttributes* arrays, vtkDataArray* array, Kind kind)
+/// @param count  of points or cells: an array of another length belongs to none of them
+bool IsTurned(vtkDataSetAttributes* arrays, vtkDataArray* array, vtkIdType count, Kind kind)
 {
   const int components = array->GetNumberOfComponents();
   const int type = array->GetDataType();
-  return (components == 3 || components == 6 || components == 9) &&
+  return array->GetNumberOfTuples() == count &&
+    (components == 3 || components == 6 || components == 9) &&
     (type == VTK_FLOAT || type == VTK_DOUBLE) &&
     (array == arrays->GetNormals()) == (kind == Kind::Normals) && array != arrays->GetTCoords();
 }
@@ -88,7 +90,8 @@ vtkSmartPointer<vtkDataArray> Turned(vtkDataArray* given, const RotationOf& rota
 
 /// All arrays in their order, for some may have no name to be replaced by.
 template <typename RotationOf>
-void TurnArrays(vtkDataSetAttributes* arrays, const RotationOf& rotation, Kind kind)
+void TurnArrays(
+  vtkDataSetAttributes* arrays, vtkIdType count, const RotationOf& rotation, Kind kind)
 {
   std::vector<vtkSmartPointer<vtkAbstractArray>> all;
   std::array<int, vtkDataSetAttributes::NUM_ATTRIBUTES> attributes = {};
@@ -97,7 +100,7 @@ void TurnArrays(vtkDataSetAttributes* arrays, const RotationOf& rotation, Kind k
   {
     vtkDataArray* given = arrays->GetArray(k);
     all.emplace_back(arrays->GetAbstractArray(k));
-    if (given && IsTurned(arrays, given, kind))
+    if (given && IsTurned(arrays, given, count, kind))
     {
       all.back() = Turned(given, rotation);
     }
@@ -115,11 +118,11 @@ void TurnArrays(vtkDataSetAttributes* arrays, const RotationOf& rotation, Kind k
 
 void TurnAll(vtkDataSet* output, const vtkTurnedArrays::RotationOfPoint& ofPoint, Kind kind)
 {
-  TurnArrays(output->GetPointData(), ofPoint, kind);
+  TurnArrays(output->GetPointData(), output->GetNumberOfPoints(), ofPoint, kind);
   vtkNew<vtkIdList> corners;
   Eigen::Matrix3d mean;
   TurnArrays(
-    output->GetCellData(),
+    output->GetCellData(), output->GetNumberOfCells(),
     [&](vtkIdType cell) -> const Eigen::Matrix3d*
     {
       output->GetCellPoints(cell, corners);

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every filter over data as people have it: blocks, time steps, and what is no surface.
+"""Every filter over data as people have it: blocks, time steps, pieces, and what is no surface.
 
 usage: TestDataAsItComes.py DATA
 """
@@ -10,10 +10,10 @@ import re
 import sys
 
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonCore import VTK_STRING, vtkIntArray
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkDoubleArray, vtkIntArray
 from vtkmodules.vtkCommonDataModel import (vtkDataAssembly, vtkImageData, vtkMultiBlockDataSet, vtkPartitionedDataSet,
                                            vtkPartitionedDataSetCollection, vtkPolyData)
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
@@ -192,8 +192,65 @@ def test_time_steps(Filter):
         assert output.GetInformation().Get(output.DATA_TIME_STEP()) == time
 
 
+class Source(VTKPythonAlgorithmBase):
+    """The stone: in pieces, where pieces are asked for."""
+
+    def __init__(self):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+
+    def RequestInformation(self, _request, _inputs, outputs):
+        outputs.GetInformationObject(0).Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)
+        return 1
+
+    def RequestData(self, _request, _inputs, outputs):
+        info = outputs.GetInformationObject(0)
+        piece = info.Get(vtkStreamingDemandDrivenPipeline.UPDATE_PIECE_NUMBER())
+        pieces = info.Get(vtkStreamingDemandDrivenPipeline.UPDATE_NUMBER_OF_PIECES())
+        output = vtkPolyData.GetData(outputs)
+        output.DeepCopy(stone)
+        for cell in range(stone.GetNumberOfCells()):
+            if cell % pieces != piece:
+                output.DeleteCell(cell)
+        output.RemoveDeletedCells()
+        return 1
+
+
+def test_pieces(Filter):
+    """Whoever asks for pieces gets the whole in the first one."""
+    source, filter_ = Source(), Filter()
+    filter_.SetInputConnection(source.GetOutputPort())
+    filter_.UpdatePiece(0, 2, 0)
+    assert points(filter_.GetOutput()) == points(Run(Filter, stone).output)
+    filter_.UpdatePiece(1, 2, 0)
+    assert filter_.GetOutput().GetNumberOfPoints() == 0
+
+
+def test_arrays_of_other_lengths(Filter):
+    """VTK's reader of old files lets them through. They come out as they are, or there is one error."""
+    surface = vtkPolyData()
+    surface.DeepCopy(stone)
+    for data, count in ((surface.GetPointData(), 300000), (surface.GetCellData(), 300000), (surface.GetPointData(), 3)):
+        array = vtkDoubleArray()
+        array.SetName(f"of {count}")
+        array.SetNumberOfComponents(3)
+        array.SetNumberOfTuples(count)
+        array.Fill(1.0)
+        data.AddArray(array)
+    filter_ = Filter()
+    if hasattr(filter_, "TransformAllInputVectorsOn"):
+        filter_.TransformAllInputVectorsOn()
+    errors = []
+    filter_.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+    filter_.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    filter_.AddObserver("WarningEvent", lambda *_: None)
+    filter_.SetInputData(surface)
+    filter_.Update()
+    assert len(errors) == (0 if filter_.GetOutput().GetNumberOfPoints() > 0 else 1), errors
+
+
 for Filter in FILTERS + [TAKES_ALL]:
-    for test in (test_what_is_no_surface, test_blocks, test_partitions, test_time_steps):
+    for test in (test_what_is_no_surface, test_blocks, test_partitions, test_time_steps, test_pieces,
+                 test_arrays_of_other_lengths):
         if Filter is TAKES_ALL and test in (test_blocks, test_partitions):
             continue
         try:
