@@ -336,6 +336,12 @@ int vtk3MFWriter::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+int vtk3MFWriter::Write()
+{
+  this->SetErrorCode(vtkErrorCode::UnknownError); // where the input fails WriteData is not called
+  return this->Superclass::Write();
+}
+
 void vtk3MFWriter::WriteData()
 {
   this->SetErrorCode(vtkErrorCode::NoError);

@@ -80,6 +80,9 @@ public:
   void SetUnitToMeter() { this->SetUnit(METER); }
   ///@}
 
+  /// @return 1, or 0 after an error.
+  int Write() override;
+
 protected:
   vtk3MFWriter();
   ~vtk3MFWriter() override;

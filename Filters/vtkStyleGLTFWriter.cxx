@@ -73,6 +73,7 @@ int vtkStyleGLTFWriter::Write()
 {
   if (!this->SourceFileName)
   {
+    this->SetErrorCode(vtkErrorCode::UnknownError); // where the input fails WriteData is not called
     return this->Superclass::Write();
   }
   this->WriteData(); // the superclass would ask for an input

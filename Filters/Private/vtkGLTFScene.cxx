@@ -553,6 +553,24 @@ bool vtkGLTFScene::IsFlat(const Eigen::Matrix3d& linear)
   return !(std::abs(linear.determinant()) > 1e-9 * size * size * size);
 }
 
+namespace
+{
+/// The arrays with a value for each point; others belong to none.
+vtkSmartPointer<vtkPointData> FittingArrays(vtkPolyData* surface)
+{
+  auto data = vtkSmartPointer<vtkPointData>::New();
+  data->ShallowCopy(surface->GetPointData());
+  for (int k = data->GetNumberOfArrays(); k-- > 0;)
+  {
+    if (data->GetAbstractArray(k)->GetNumberOfTuples() != surface->GetNumberOfPoints())
+    {
+      data->RemoveArray(k);
+    }
+  }
+  return data;
+}
+}
+
 Scene vtkGLTFScene::FromSurface(vtkGLTFDocument& document, vtkPolyData* surface)
 {
   std::vector<std::uint32_t> corners;
@@ -564,7 +582,7 @@ Scene vtkGLTFScene::FromSurface(vtkGLTFDocument& document, vtkPolyData* surface)
       corners.push_back(static_cast<std::uint32_t>(corner));
     }
   }
-  vtkPointData* const data = surface->GetPointData();
+  const vtkSmartPointer<vtkPointData> data = FittingArrays(surface);
   Json attributes = { { "POSITION",
     document.AddFloats(
       FloatsOf(surface->GetPoints()->GetData(), 3), "VEC3", Use::Vertices, true) } };

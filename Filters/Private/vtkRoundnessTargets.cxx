@@ -59,6 +59,7 @@ public:
     , Normals(style->GetGenerateNormals())
     , Precision(style->GetOutputPointsPrecision())
     , Refine(style->GetRefineLongEdges())
+    , Preview(style->GetPreview())
   {
     this->Listener->SetClientData(this);
     this->Listener->SetCallback(&BorrowedFilter::Listen);
@@ -67,6 +68,7 @@ public:
     // It says that the filter failed, where the filter has said why.
     this->Failures = style->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Listener);
     style->SetController(nullptr); // the model is all here
+    style->PreviewOff();           // all points are asked for
     style->SetGenerateNormals(options.WithNormals);
     style->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     if (!options.MayRefine)
@@ -87,6 +89,7 @@ public:
     this->Style->SetGenerateNormals(this->Normals);
     this->Style->SetOutputPointsPrecision(this->Precision);
     this->Style->SetRefineLongEdges(this->Refine);
+    this->Style->SetPreview(this->Preview);
   }
 
   BorrowedFilter(const BorrowedFilter&) = delete;
@@ -131,6 +134,7 @@ private:
   bool Normals;
   int Precision;
   int Refine;
+  bool Preview;
   vtkNew<vtkCallbackCommand> Listener;
   unsigned long Errors = 0;
   unsigned long Warnings = 0;

@@ -213,6 +213,19 @@ for mesh, name, words in (
     assert words in messages.errors[0] and not messages.warnings, messages.errors
     assert sorted(folder.iterdir()) == before, "no file is left behind"
 
+# What comes before has failed, and said so.
+style = ss.vtkSphericalStyleFilter()
+style.SetInputData(cube.GetOutput())
+style.SetRoundness(-1)
+messages = Messages(style)
+writer = ss.vtk3MFWriter()
+writer.SetFileName(os.fsencode(folder / "none.3mf"))
+writer.SetInputConnection(style.GetOutputPort())
+assert writer.Write() == 0 and writer.GetErrorCode() != 0 and not (folder / "none.3mf").exists()
+assert len(messages.errors) == 1, messages.errors
+style.SetRoundness(1)
+assert writer.Write() == 1 and writer.GetErrorCode() == 0 and (folder / "none.3mf").exists()
+
 
 def refused(path, mesh, *words):
     try:

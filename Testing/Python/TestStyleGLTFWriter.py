@@ -179,6 +179,36 @@ assert writer.Write() == 1
 style.Update()
 assert style.GetInput() is creature and style.GetRoundness() == 0.7 and not style.GetGenerateNormals()
 assert (points(style.GetOutput()) == before).all()
+# What comes before has failed, and said so.
+before_it = ss.vtkSphericalStyleFilter()
+before_it.SetInputData(creature)
+before_it.SetRoundness(-1)
+messages = Messages(before_it)
+writer.SetFileName(os.path.join(folder, "none.glb"))
+writer.SetInputConnection(before_it.GetOutputPort())
+assert writer.Write() == 0 and writer.GetErrorCode() != 0 and not os.path.exists(os.path.join(folder, "none.glb"))
+assert len(messages.errors) == 1, messages.errors
+writer.SetInputData(sphere.GetOutput())
+# It shows few points of a large model while something is dragged, which a file is not made of.
+large = vtkSphereSource()
+large.SetThetaResolution(250)
+large.SetPhiResolution(220)
+large.Update()
+style.SetDetailSize(0)
+style.SetKeepSizeToOff()
+style.PreviewOn()
+writer.SetInputData(large.GetOutput())
+writer.SetFileName(os.path.join(folder, "large.glb"))
+assert writer.Write() == 1 and style.GetPreview()
+root, binary = GLTFFiles.load(os.path.join(folder, "large.glb"))
+assert len(GLTFFiles.points(root, binary, [0] * writer.GetNumberOfTargets())) == large.GetOutput().GetNumberOfPoints() > 50000
+# Arrays of other lengths belong to no point.
+short = vtkPolyData()
+short.DeepCopy(colored)
+for name in ("UV", "RGB"):
+    short.GetPointData().GetArray(name).SetNumberOfTuples(5)
+_, root, _ = write("short.glb", short)
+assert not {"TEXCOORD_0", "COLOR_0"} & set(root["meshes"][0]["primitives"][0]["attributes"])
 messages = Messages(writer)
 writer.SetFileName(os.path.join(folder, "own.ply"))
 assert writer.Write() == 0 and "must end in .glb or .gltf" in messages.errors[0], messages.errors
