@@ -342,7 +342,15 @@ int vtkSphericalStyleFilter::RequestPreview(
 {
   const std::shared_ptr<const vtkProcesses> processes =
     this->IsSpread() ? this->TakeProcesses() : nullptr;
-  const bool can = this->Preview && this->CanPreview(inputVector, processes.get());
+  bool can = this->Preview;
+  try
+  {
+    can = can && this->CanPreview(inputVector, processes.get());
+  }
+  catch (const std::invalid_argument&) // the whole execution says what is wrong
+  {
+    can = false;
+  }
   if (!(processes ? this->AllAgree(can, *processes) : can))
   {
     return WHOLE_IS_NEEDED;
@@ -367,7 +375,7 @@ int vtkSphericalStyleFilter::RequestPreview(
   return outcome;
 }
 
-/// @param processes  that the input is spread over, or nullptr
+/// @param processes  that the input is spread over, or nullptr @throw std::invalid_argument
 bool vtkSphericalStyleFilter::CanPreview(
   vtkInformationVector** inputVector, const vtkProcesses* processes)
 {
@@ -378,6 +386,7 @@ bool vtkSphericalStyleFilter::CanPreview(
   {
     return false;
   }
+  vtkSurfaceMeshConversion::CheckArrays(input); // some points are copied with all that they have
   const SphericalStyle::MethodOptions o = this->MakeOptions();
   const bool givenNormals =
     vtkStyleArrays::IsChosen(this, vtkStyleArrays::NORMALS) || input->GetPointData()->GetNormals();
@@ -651,7 +660,14 @@ void vtkSphericalStyleFilter::TakePlane(Internals& internal, Execution& e)
                                 "off, or take the rest pose away");
   }
   Internals::Planes& known = internal.Known;
-  if (known.Surface != e.Model.Surface || known.Symmetry != this->Symmetry)
+  // Where edges are split, each execution has a mesh of its own.
+  const auto isOf = [&known](const SphericalStyle::TriangleMesh& mesh)
+  {
+    return known.Surface->Mesh.P.rows() == mesh.P.rows() &&
+      known.Surface->Mesh.F.rows() == mesh.F.rows() && known.Surface->Mesh.P == mesh.P &&
+      known.Surface->Mesh.F == mesh.F;
+  };
+  if (!known.Surface || known.Symmetry != this->Symmetry || !isOf(e.Surface().Mesh))
   {
     this->SetProgressText("Looking for the plane of symmetry");
     known.Surface.reset(); // should it throw

@@ -11,6 +11,8 @@
 #include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 
+#include <cmath>
+
 using namespace FilterTesting;
 
 namespace
@@ -282,6 +284,16 @@ int TestSphericalStyleFilterPreview(int, char*[])
     IsFull(check, model, setting);
   }
   ShowsFacesOfMixedCells(check);
+  check.About("a property that is refused");
+  Watched<SmallPreview> refused;
+  SetUp(refused.Get(), model, Nothing);
+  refused->PreviewOn();
+  refused->Update();
+  refused->SetTolerance(std::nan(""));
+  refused->Update();
+  check(refused.Errors.size() == 1 && Contains(refused.Errors.front(), "Tolerance must be") &&
+      refused->GetOutput()->GetNumberOfPoints() == 0,
+    "should be refused as it is without a preview");
   check.About("another input");
   vtkNew<SmallPreview> changed;
   SetUp(changed, model, Nothing);
