@@ -40,18 +40,30 @@ def array_of(values, what):
     import numpy as np
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
+    _refuse_masked(values, what)
     array = np.ascontiguousarray(values)
     if array.dtype.kind == "b":
         array = array.astype(np.uint8)
+    elif array.dtype.kind == "f" and array.dtype.itemsize not in (4, 8):
+        array = array.astype(np.float64)
+    array = array.astype(array.dtype.newbyteorder("="), copy=False)  # VTK takes the bytes as they are
     if array.dtype.kind not in "iuf" or array.ndim not in (1, 2):
         raise ValueError(f"{what} must be an array with a number, or a row of numbers, for each point")
     return numpy_to_vtk(array, deep=True)
+
+
+def _refuse_masked(values, what):
+    import numpy as np
+
+    if np.ma.is_masked(values):
+        raise ValueError(f"{what} must have a value everywhere, and some are masked; fill them first")
 
 
 def point_array(points, what):
     """n x 3 coordinates; those of single precision stay so."""
     import numpy as np
 
+    _refuse_masked(points, what)
     array = np.asarray(points)
     if array.ndim != 2 or array.shape[1] != 3 or array.dtype.kind not in "iuf":
         raise ValueError(f"{what} must be an array of n x 3 numbers; it is {_shape(array)}")
@@ -114,7 +126,8 @@ def _faces(faces, surface, result):
     numbers, offsets = _structure(result)
     sizes = np.diff(offsets)
     if isinstance(faces, np.ndarray) and (sizes == sizes[0]).all():
-        return numbers.reshape(-1, sizes[0]).astype(faces.dtype)
+        fits = numbers.max() <= np.iinfo(faces.dtype).max
+        return numbers.reshape(-1, sizes[0]).astype(faces.dtype if fits else numbers.dtype)
     return [face.tolist() for face in np.split(numbers, offsets[1:-1])]
 
 

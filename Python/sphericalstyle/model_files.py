@@ -5,6 +5,7 @@ reader or writer."""
 import contextlib
 import os
 import pathlib
+import secrets
 import tempfile
 
 import vtkmodules.vtkIOGeometry as geometry
@@ -77,17 +78,18 @@ def place_in(folder, name):
 
 @contextlib.contextmanager
 def whole(place):
-    """A temporary path to write to. The file gets its final name when it is complete, and is removed after a failure.
-    Links are replaced, not followed."""
-    # Some writers look at the ending, and that of PLY adds it.
-    keep = is_gltf(place) or place.suffix.lower() in (".ply", ".3mf")
-    part = place.with_name(place.stem + ".part" + place.suffix if keep else place.name + ".part")
-    part.unlink(missing_ok=True)
+    """A temporary path to write to, which nobody else has. The file gets its final name when it is complete, and is
+    removed after a failure. Links are replaced, not followed."""
+    # Some writers look at the ending, in lower case, and that of PLY adds it.
+    part = place.with_name(f".{os.getpid()}-{secrets.token_hex(4)}.part{place.suffix.lower()}")
     try:
         yield part
         part.replace(place)
-    except BaseException:
-        part.unlink(missing_ok=True)
+    except BaseException as error:
+        with contextlib.suppress(OSError):
+            part.unlink(missing_ok=True)
+        if isinstance(error, OSError):
+            raise ModelError(f"{printable(place)}: cannot be written: {error.strerror}") from None
         raise
 
 
@@ -130,6 +132,14 @@ def _safe_for_vtk(path, name, messages):
     """The path of a file that VTK's reader does not read beyond its arrays: this one or, for a while, a copy without the
     texture coordinates or normals of which faces name some that are not there."""
     try:
+        if is_gltf(path) and path.suffix != path.suffix.lower():  # VTK's reader looks at the ending
+            if path.suffix.lower() == ".gltf":  # which has files beside it
+                raise ModelError(f"{name}: cannot be read; give its name the ending .gltf in lower case")
+            with tempfile.TemporaryDirectory() as folder:
+                link = pathlib.Path(folder) / "model.glb"
+                link.symlink_to(path.resolve())
+                yield link
+            return
         is_obj = path.suffix.lower() == ".obj"
         misfits = obj_files.misfits(path) if is_obj else {}
         left_out = obj_files.to_rewrite(path) if is_obj else None

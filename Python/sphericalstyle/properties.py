@@ -7,6 +7,7 @@ import operator
 import re
 from typing import Any, NamedTuple
 
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkPolyDataAlgorithm
 
 from .messages import Messages
@@ -87,7 +88,7 @@ class Property(NamedTuple):
 
 
 def _plain(name):
-    return re.sub("[ _-]", "", name).lower()
+    return re.sub("(?<!^)[ _-]", "", name).lower()  # "-Z" is not "Z"
 
 
 def _text(value):
@@ -168,6 +169,8 @@ def set_all(algorithm, keywords, other_names=None):
 def execute(algorithm, surface, other_names=None, **keywords):
     """Executes a filter of ours on a surface, with these properties. Errors are raised, and warnings become those of
     who calls our caller."""
+    if isinstance(surface, vtkCompositeDataSet):
+        raise TypeError(f"this takes one surface; call it for each block of the {surface.GetClassName()}")
     names = set_all(algorithm, keywords, other_names)
     algorithm.SetController(None)  # with MPI, too, each process has a mesh of its own
     messages = Messages(algorithm)

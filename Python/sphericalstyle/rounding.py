@@ -153,6 +153,9 @@ def add_arrays(style, surface, keywords):
         style.SetRestPoseData(meshes.take(keywords["rest_pose"], "rest_pose")[0])
     if keywords.get("target_mesh") is not None:
         style.SetTargetMeshData(meshes.take(keywords["target_mesh"], "target_mesh")[0])
+    for of_points, of_parts in (("roundness_factor", "part_roundness"), ("normal_blend", "part_normal_blend")):
+        if of_points in arrays and keywords.get(of_parts):
+            raise TypeError(f"{of_points} for each point and {of_parts} cannot be used together")
     added = []
     if "part_roundness" in keywords or "part_normal_blend" in keywords:
         if not isinstance(surface, vtkPolyData):

@@ -11,7 +11,7 @@ from . import SphericalStyleFilters, meshes
 from .messages import Messages, printable
 from .model_files import ModelError, is_gltf, read, whole
 from .properties import raise_errors, set_all
-from .rounding import MESHES, add_arrays, is_array, make
+from .rounding import MESHES, PARTS, add_arrays, is_array, make
 
 
 class Slider(NamedTuple):
@@ -54,7 +54,7 @@ def write_slider(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.
     if isinstance(mesh, (str, os.PathLike)) and is_gltf(pathlib.Path(mesh)):
         if not pathlib.Path(mesh).is_file():
             raise ModelError(f"{printable(mesh)}: no such file")
-        arrays = [keyword for keyword, value in properties.items() if is_array(keyword, value) or keyword in MESHES]
+        arrays = [keyword for keyword, value in properties.items() if is_array(keyword, value) or keyword in MESHES + PARTS]
         if arrays:
             raise TypeError(f"{arrays[0]} needs a mesh; {printable(mesh)} is only copied")
         writer.SetSourceFileName(os.fsencode(mesh))
