@@ -89,7 +89,7 @@ def whole(place):
         with contextlib.suppress(OSError):
             part.unlink(missing_ok=True)
         if isinstance(error, OSError):
-            raise ModelError(f"{printable(place)}: cannot be written: {error.strerror}") from None
+            raise ModelError(f"{printable(place)}: cannot be written: {error.strerror or error}") from None
         raise
 
 
@@ -234,10 +234,7 @@ def _write_text(writer, path, data):
     """By way of a string: the XML writer of VTK 9.6 aborts the process where a disk is full."""
     writer.WriteToOutputStringOn()
     run_writer(writer, path, data)
-    try:
-        path.write_bytes(writer.GetOutputString().encode())
-    except OSError as error:
-        raise ModelError(f"{printable(path)}: cannot be written: {error.strerror}") from None
+    path.write_bytes(writer.GetOutputString().encode())
 
 
 def cannot_write(path):
