@@ -141,9 +141,7 @@ struct vtkPartSizesFilter::FoundParts
 
   bool AreOf(const vtkSurfaceMesh& surface) const
   {
-    const SphericalStyle::TriangleMesh& other = surface.Mesh;
-    return this->Mesh.P.rows() == other.P.rows() && this->Mesh.F.rows() == other.F.rows() &&
-      this->Mesh.P == other.P && this->Mesh.F == other.F && this->MeshPoint == surface.MeshPoint;
+    return this->Mesh == surface.Mesh && this->MeshPoint == surface.MeshPoint;
   }
 };
 

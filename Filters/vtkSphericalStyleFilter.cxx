@@ -661,13 +661,8 @@ void vtkSphericalStyleFilter::TakePlane(Internals& internal, Execution& e)
   }
   Internals::Planes& known = internal.Known;
   // Where edges are split, each execution has a mesh of its own.
-  const auto isOf = [&known](const SphericalStyle::TriangleMesh& mesh)
-  {
-    return known.Surface->Mesh.P.rows() == mesh.P.rows() &&
-      known.Surface->Mesh.F.rows() == mesh.F.rows() && known.Surface->Mesh.P == mesh.P &&
-      known.Surface->Mesh.F == mesh.F;
-  };
-  if (!known.Surface || known.Symmetry != this->Symmetry || !isOf(e.Surface().Mesh))
+  if (!known.Surface || known.Symmetry != this->Symmetry ||
+    !(known.Surface->Mesh == e.Surface().Mesh))
   {
     this->SetProgressText("Looking for the plane of symmetry");
     known.Surface.reset(); // should it throw

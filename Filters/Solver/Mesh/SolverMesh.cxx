@@ -15,13 +15,7 @@ MeshChange SolverMesh::Compare(const TriangleMesh& mesh) const
     throw std::invalid_argument("the mesh has no triangle");
   }
   const TriangleMesh* given = this->Given.get();
-  if (given == &mesh)
-  {
-    return MeshChange::Nothing;
-  }
-  const bool sameTriangles = given && given->F.rows() == mesh.F.rows() &&
-    given->P.rows() == mesh.P.rows() && given->F == mesh.F;
-  if (sameTriangles && given->P == mesh.P)
+  if (given && *given == mesh)
   {
     return MeshChange::Nothing;
   }
@@ -29,7 +23,7 @@ MeshChange SolverMesh::Compare(const TriangleMesh& mesh) const
   {
     throw std::invalid_argument("a point is not finite");
   }
-  return sameTriangles ? MeshChange::Points : MeshChange::Triangles;
+  return given && HaveSameTriangles(*given, mesh) ? MeshChange::Points : MeshChange::Triangles;
 }
 
 void SolverMesh::Set(std::shared_ptr<const TriangleMesh> mesh, MeshChange change)

@@ -38,6 +38,18 @@ struct TriangleMesh
   Triangles F; ///< m x 3, 0-based
 };
 
+/// Whether the meshes have as many points as each other, and the same triangles.
+inline bool HaveSameTriangles(const TriangleMesh& one, const TriangleMesh& other)
+{
+  return one.P.rows() == other.P.rows() && one.F.rows() == other.F.rows() && one.F == other.F;
+}
+
+/// Whether the meshes have the same points and triangles, number for number.
+inline bool operator==(const TriangleMesh& one, const TriangleMesh& other)
+{
+  return &one == &other || (HaveSameTriangles(one, other) && one.P == other.P);
+}
+
 /// A linear system that cannot be factored, or a result that is not finite.
 class SolverError : public std::runtime_error
 {

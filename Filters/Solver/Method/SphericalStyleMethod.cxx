@@ -38,13 +38,6 @@ bool IsClosedForm(const StyleOptions& o)
 
 namespace
 {
-bool Equal(const TriangleMesh& one, const TriangleMesh& other)
-{
-  return &one == &other ||
-    (one.F.rows() == other.F.rows() && one.P.rows() == other.P.rows() && one.F == other.F &&
-      one.P == other.P);
-}
-
 void CheckMesh(const TriangleMesh& mesh, const SurfacePart& part, const TriangleMesh* rest,
   const std::optional<MirrorPlane>& plane)
 {
@@ -52,7 +45,7 @@ void CheckMesh(const TriangleMesh& mesh, const SurfacePart& part, const Triangle
   {
     throw std::invalid_argument("the mesh has no triangle");
   }
-  if (rest && (rest->P.rows() != mesh.P.rows() || rest->F != mesh.F))
+  if (rest && !HaveSameTriangles(*rest, mesh))
   {
     throw std::invalid_argument("the rest pose has other triangles than the mesh");
   }
@@ -74,10 +67,10 @@ void SphericalStyleMethod::SetMesh(std::shared_ptr<const TriangleMesh> mesh, Sur
   CheckMesh(*mesh, part, rest.get(), plane);
   const TriangleMesh* kept = this->Rest ? this->Rest.get() : this->Mesh.get();
   const bool equal = kept && !this->Rest == !rest && this->Part.IsWhole() == part.IsWhole() &&
-    Equal(*kept, rest ? *rest : *mesh) && this->Mirrored.has_value() == plane.has_value() &&
+    *kept == (rest ? *rest : *mesh) && this->Mirrored.has_value() == plane.has_value() &&
     (!plane || this->Mirrored->GetPlane() == *plane);
   const bool known = part.Max(equal ? 0.0 : 1.0) == 0.0;
-  const bool moved = !known || (rest && !Equal(*this->Mesh, *mesh));
+  const bool moved = !known || (rest && !(*this->Mesh == *mesh));
   if (moved)
   {
     if (!mesh->P.allFinite() || (rest && !rest->P.allFinite()))
