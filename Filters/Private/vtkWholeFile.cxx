@@ -7,11 +7,22 @@
 #include <filesystem>
 #include <fstream>
 #include <new>
+#include <random>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
 namespace
 {
+/// A name in the same folder that no other file has: 64 random bits.
+std::filesystem::path UnfinishedBeside(const std::filesystem::path& path)
+{
+  std::random_device random;
+  std::ostringstream name;
+  name << '.' << std::hex << random() << random() << ".part";
+  return path.parent_path() / name.str();
+}
+
 bool WriteParts(
   const std::filesystem::path& path, std::initializer_list<const vtkWholeFile::Bytes*> parts)
 {
@@ -62,8 +73,7 @@ void Naming(const char* file, const std::function<void()>& call)
 void Save(const std::string& path, std::initializer_list<const Bytes*> parts)
 {
   const std::filesystem::path place = std::filesystem::u8path(path);
-  std::filesystem::path unfinished = place;
-  unfinished += ".part";
+  const std::filesystem::path unfinished = UnfinishedBeside(place);
   std::error_code error;
   bool written = WriteParts(unfinished, parts);
   if (written)

@@ -3,6 +3,7 @@
 """The program sphericalstyle: rounds models in files."""
 import argparse
 import csv
+import decimal
 import json
 import multiprocessing
 import multiprocessing.connection
@@ -17,7 +18,7 @@ from typing import NamedTuple, Optional
 from vtkmodules.vtkCommonCore import vtkPoints, vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from . import __version__, model_files, presets
+from . import __version__, presets
 from .messages import Error, printable
 from .model_files import (READERS, UP_AXES, WRITERS, cannot_write, is_gltf, largest_move, place_in, read, up_axis_of,
                           whole, write)
@@ -256,7 +257,10 @@ def _plan_folder(parser, arguments, inputs, output):
             jobs.append(Job(model.as_posix() if len(inputs) == 1 else str(source), source, output, name, picture, page,
                             arguments.slider))
     if not jobs:
-        parser.error(f"{printable(inputs[0])}: no models ({' '.join(sorted(READERS))})")
+        inside = output.resolve() in [inputs[0].resolve(), *inputs[0].resolve().parents]
+        parser.error(f"{printable(inputs[0])}: " + (f"is in the folder of the results, {printable(output)}, whose models"
+                                                    " are left out; name another folder" if inside
+                                                    else f"no models ({' '.join(sorted(READERS))})"))
     return jobs
 
 
@@ -264,12 +268,14 @@ def _plan_folder(parser, arguments, inputs, output):
 def round_one(job, keywords, view=0.0, progress=None):
     """Rounds one model. Returns its line of the table, with what a report has besides."""
     start = time.perf_counter()
-    surface = read(job.source)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        surface = read(job.source)
     target = place_in(job.folder, job.target) if job.folder else job.target
     keywords = {"up_axis": up_axis_of(job.source)} | keywords
     style, messages = execute(surface, progress=progress, **keywords)
     result = style.GetOutput()
-    with warnings.catch_warnings(record=True) as told:
+    with warnings.catch_warnings(record=True) as more:
         warnings.simplefilter("always")
         if job.slider:
             write_slider(target, job.source if is_gltf(job.source) else surface, **keywords)
@@ -278,7 +284,8 @@ def round_one(job, keywords, view=0.0, progress=None):
         if job.page:
             job.page.parent.mkdir(parents=True, exist_ok=True)
             write_page(job.page, surface, title=job.source.stem, **keywords)
-    messages.warnings = list(dict.fromkeys(messages.warnings + [str(warning.message) for warning in told]))
+    messages.warnings = list(dict.fromkeys([str(warning.message) for warning in told] + messages.warnings
+                                           + [str(warning.message) for warning in more]))
     if job.picture:
         from .model_pictures import before_after  # the program starts without OpenGL
 
@@ -490,10 +497,16 @@ def _tetrahedron():
     return surface
 
 
+def _without_exponents(argument):
+    """-1e-3 as -0.001: argparse would take it for an option."""
+    number = re.fullmatch(r"-(\d+\.?\d*|\.\d+)[eE][-+]?\d{1,3}", argument)
+    return f"{decimal.Decimal(argument):f}" if number else argument
+
+
 def main(argv=None):
     """@return the exit code"""
     parser = make_parser()
-    arguments = parser.parse_args(argv)
+    arguments = parser.parse_args([_without_exponents(argument) for argument in (sys.argv[1:] if argv is None else argv)])
     keywords = keywords_of(parser, arguments)
     if arguments.processes is None:
         arguments.processes = len(os.sched_getaffinity(0))
@@ -504,12 +517,14 @@ def main(argv=None):
     jobs = _plan(parser, arguments)
     if arguments.picture and not jobs[0].folder and arguments.picture.suffix.lower() != ".png":
         parser.error("--picture: the name ends in .png")
+    if not jobs[0].folder and not jobs[0].target.parent.is_dir():
+        parser.error(f"{printable(jobs[0].target)}: there is no folder {printable(jobs[0].target.parent)}")
     try:
         if arguments.picture:
             from .model_pictures import check_display  # fails before the work is done
 
             check_display()
-        for folder in filter(None, {jobs[0].folder}):
+        for folder in filter(None, [jobs[0].folder, arguments.report and arguments.report.parent]):
             folder.mkdir(parents=True, exist_ok=True)
         lines = (_run_many if jobs[0].folder else lambda jobs, *rest: _run_one(jobs[0], *rest))(
             jobs, keywords, arguments)

@@ -14,8 +14,10 @@ def _numbers(value, count, what):
     """@raise TypeError, ValueError naming what is no row of so many numbers"""
     try:
         values = [float(x) for x in value]
-    except TypeError:
+    except (TypeError, ValueError):
         raise TypeError(f"{what} must be {count} numbers, not {value!r}") from None
+    except OverflowError:
+        raise ValueError(f"{what} must be {count} numbers; one is too large") from None
     if len(values) != count:
         raise ValueError(f"{what} must be {count} numbers, not {len(values)}")
     return values

@@ -2,15 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Meshes of others as vtkPolyData, and the result back. numpy is imported only where there are arrays."""
 import copy
+import dataclasses
 import sys
 
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkCompositeDataSet, vtkDataSet, vtkPolyData
 
 
 def take(mesh, function="round"):
     """@return the mesh for VTK, and a function that makes a mesh of its kind of a result"""
-    if isinstance(mesh, vtkDataObject):
+    if isinstance(mesh, (vtkDataSet, vtkCompositeDataSet)):
         pyvista = sys.modules.get("pyvista")
         wraps = pyvista is not None and isinstance(mesh, pyvista.DataObject)
         return mesh, pyvista.wrap if wraps else lambda result: result
@@ -19,6 +20,8 @@ def take(mesh, function="round"):
         return surface, lambda result: _object(mesh, surface, result)
     if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
         points, faces = mesh
+        if not hasattr(faces, "__len__") and hasattr(faces, "__iter__"):
+            faces = list(faces)  # of a generator, which gives them once
         surface = surface_of(points, faces)
         return surface, lambda result: (_points(result), _faces(faces, surface, result))
     raise TypeError(f"{function}() takes a vtkPolyData, a PyVista mesh, an object with vertices and faces, or a tuple"
@@ -63,8 +66,7 @@ def point_array(points, what):
     """n x 3 coordinates; those of single precision stay so."""
     import numpy as np
 
-    _refuse_masked(points, what)
-    array = np.asarray(points)
+    array = np.asanyarray(points)  # which keeps a mask, for array_of to refuse
     if array.ndim != 2 or array.shape[1] != 3 or array.dtype.kind not in "iuf":
         raise ValueError(f"{what} must be an array of n x 3 numbers; it is {_shape(array)}")
     return array_of(array if array.dtype in (np.float32, np.float64) else array.astype(np.float64), what)
@@ -82,8 +84,11 @@ def _cells(faces):
     if isinstance(faces, np.ndarray):
         if faces.ndim != 2:
             raise ValueError(f"{words}; it is {_shape(faces)}")
+        _refuse_masked(faces, "faces")
         sizes, numbers = np.full(len(faces), faces.shape[1]), faces.ravel()
     else:
+        if not hasattr(faces, "__iter__"):
+            raise TypeError(f"{words}, not {faces!r}")
         rows = [np.asarray(face) for face in faces]
         if any(row.ndim != 1 for row in rows):
             raise ValueError(words)
@@ -98,9 +103,11 @@ def _cells(faces):
 
 
 def _points(surface):
+    import numpy as np
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
-    return vtk_to_numpy(surface.GetPoints().GetData()).copy()
+    points = surface.GetPoints()
+    return vtk_to_numpy(points.GetData()).copy() if points else np.empty((0, 3))
 
 
 def _structure(surface):
@@ -125,7 +132,7 @@ def _faces(faces, surface, result):
         return faces.copy() if isinstance(faces, np.ndarray) else [list(face) for face in faces]
     numbers, offsets = _structure(result)
     sizes = np.diff(offsets)
-    if isinstance(faces, np.ndarray) and (sizes == sizes[0]).all():
+    if isinstance(faces, np.ndarray) and len(sizes) > 0 and (sizes == sizes[0]).all():
         fits = numbers.max() <= np.iinfo(faces.dtype).max
         return numbers.reshape(-1, sizes[0]).astype(faces.dtype if fits else numbers.dtype)
     return [face.tolist() for face in np.split(numbers, offsets[1:-1])]
@@ -134,15 +141,36 @@ def _faces(faces, surface, result):
 def _object(mesh, surface, result):
     """A copy of the mesh with other vertices or, where faces were split, a new one of its class."""
     points = _points(result)
-    if _is_same(surface, result):
+    same = _is_same(surface, result)
+    if same:
         rounded = mesh.copy() if hasattr(mesh, "copy") else copy.deepcopy(mesh)
-        rounded.vertices = points
-        return rounded
+        if _set_vertices(rounded, points):
+            return rounded
     faces = _faces(mesh.faces, surface, result)
-    for options in ({"process": False}, {}):  # a trimesh would merge vertices
-        try:
-            return type(mesh)(vertices=points, faces=faces, **options)
-        except TypeError:
-            continue
-    raise TypeError(f"the faces were split, and a {type(mesh).__name__} cannot be made of vertices and faces;"
+    if dataclasses.is_dataclass(mesh):
+        return dataclasses.replace(mesh, vertices=points, faces=faces)
+    if hasattr(mesh, "_replace"):  # of a named tuple
+        return mesh._replace(vertices=points, faces=faces)
+    for kind in type(mesh).__mro__[:-1]:  # a box of trimesh is made of its extents, and a trimesh of vertices and faces
+        for options in ({"process": False}, {}):  # a trimesh would merge vertices
+            try:
+                return kind(vertices=points, faces=faces, **options)
+            except TypeError:
+                continue
+    name = type(mesh).__name__
+    if same:
+        raise TypeError(f"the vertices of a {name} cannot be set, and none can be made of vertices and faces; give them"
+                        " as a tuple (vertices, faces)")
+    raise TypeError(f"the faces were split, and a {name} cannot be made of vertices and faces;"
                     ' refine_long_edges="Off" keeps the faces')
+
+
+def _set_vertices(mesh, points):
+    """Whether the mesh takes these vertices. Some only log that they do not."""
+    import numpy as np
+
+    try:
+        mesh.vertices = points
+    except AttributeError:
+        return False
+    return np.array_equal(mesh.vertices, points)

@@ -13,7 +13,7 @@ class Error(RuntimeError):
 
 
 class StyleWarning(UserWarning):
-    """What the filter has to say about a mesh that it has rounded."""
+    """What a filter has to say about a mesh that it took, or a reader about a file."""
 
 
 def printable(text):

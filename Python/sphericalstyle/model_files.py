@@ -10,7 +10,7 @@ import tempfile
 
 import vtkmodules.vtkIOGeometry as geometry
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import (vtkBYUReader, vtkBYUWriter, vtkGLTFReader, vtkGLTFWriter, vtkIVWriter,
@@ -52,6 +52,9 @@ WRITERS = {
 
 VOLUMES = (".vti", ".vtr", ".vts", ".vtu", ".vtm", ".pvtu", ".pvti", ".exo", ".ex2", ".e")  # of VTK, without a surface
 
+
+#: Types of colors that are whole numbers, and the number for one.
+COLORS = {VTK_UNSIGNED_CHAR: 255, VTK_UNSIGNED_SHORT: 65535}
 
 #: The axis that points up in models of a format: in programs for printing and construction it is Z.
 UP_AXES = {".stl": "Z"}
@@ -95,7 +98,8 @@ def whole(place):
 
 def read(path):
     """The surface in a file, as a vtkPolyData. The ending of the name is the format: .ply, .stl, .obj, .vtk, .vtp, .glb,
-    .gltf, .byu, with newer versions of VTK also .off. Raises a sphericalstyle.Error that says why if there is none."""
+    .gltf, .byu, with newer versions of VTK also .off. Raises a sphericalstyle.Error that says why if there is none.
+    A StyleWarning says what of the file could not be used."""
     path = pathlib.Path(path)
     name, suffix = printable(path), path.suffix.lower()
     if suffix not in READERS:
@@ -112,7 +116,7 @@ def read(path):
         _set_file_name(reader, safe)
         reader.Update()
     messages.raise_errors(f"{name}: cannot be read as {suffix}", ModelError)
-    messages.print_warnings()
+    messages.warn()
     surface = reader.GetOutputDataObject(0)
     if isinstance(surface, vtkCompositeDataSet) and is_gltf(path):
         surface = _joined(surface)
@@ -190,7 +194,7 @@ def run_writer(writer, path, data):
 def write(path, mesh):
     """Writes a mesh of any kind that sphericalstyle.round takes, whole or not at all. The ending of the name is the
     format: .ply, .stl, .obj, .vtk, .vtp, .glb, .gltf, .byu, .iv or .3mf. A file that exists is replaced. Raises a
-    sphericalstyle.Error that says why if it cannot be written. A StyleWarning says where the mesh of a .3mf is not the
+    sphericalstyle.Error that says why if it cannot be written, or has no faces. A StyleWarning says where the mesh of a .3mf is not the
     closed surface that a slicer wants; its unit is the millimeter."""
     path = pathlib.Path(path)
     surface, _ = meshes.take(mesh, "write")
@@ -199,19 +203,23 @@ def write(path, mesh):
         raise ModelError(cannot_write(path))
     if not isinstance(surface, vtkPolyData):
         raise ModelError(f"{name}: a {surface.GetClassName()} is not a surface (vtkPolyData)")
+    if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:  # read() would not take it, and some writers crash
+        raise ModelError(f"{name}: cannot be written: the mesh has {surface.GetNumberOfPoints()} points and no faces")
     writer = WRITERS[suffix]()
     # Text has fewer digits. In .vtp the numbers stand in their elements and not behind all others, since VTK 9.2 and
     # earlier cannot read some of such files with today's expat (https://gitlab.kitware.com/vtk/vtk/-/issues/19258).
     for switch in ("SetFileTypeToBinary", "SetDataModeToBinary"):
         getattr(writer, switch, lambda: None)()
     data = surface
+    if suffix in (".ply", ".byu") and surface.GetNumberOfStrips():  # which these writers leave out
+        data = _triangulated(surface)
     if suffix == ".ply":
-        data = _triangulated(surface) if surface.GetNumberOfStrips() else surface
         _choose_colors(writer, surface)
     elif is_gltf(path):
-        data = _gltf_blocks(_with_float_colors(_triangulated(surface)))
+        colored, has_colors = _with_float_colors(_triangulated(surface))
+        data = _gltf_blocks(colored)
         switches = ["InlineDataOn"]
-        if surface.GetPointData().GetScalars():
+        if has_colors:
             switches.append("SaveActivePointColorOn")
         for switch in switches:
             getattr(writer, switch, lambda: None)()
@@ -279,16 +287,22 @@ def _gltf_blocks(surface):
 
 
 def _with_float_colors(surface):
-    """The surface with colors of bytes as shares of one: VTK 9.6 writes bytes that no program can read."""
-    colors = surface.GetPointData().GetScalars()
-    if colors is None or colors.GetDataType() != VTK_UNSIGNED_CHAR:
-        return surface
-    shares = numpy_to_vtk(vtk_to_numpy(colors).astype("float32") / 255, deep=True)
-    shares.SetName(colors.GetName())
+    """The surface with its active scalars as shares of one, and whether they are colors: three or four to a point, whole
+    numbers without a sign or shares. The writer takes any scalars for colors, and VTK 9.6 writes bytes that no program
+    can read."""
+    scalars = surface.GetPointData().GetScalars()
+    if scalars is None or scalars.GetNumberOfComponents() not in (3, 4):
+        return surface, False
+    values = vtk_to_numpy(scalars)
+    values = values / COLORS.get(scalars.GetDataType(), 1.0)
+    if scalars.GetDataType() not in (*COLORS, VTK_FLOAT, VTK_DOUBLE) or not ((values >= 0) & (values <= 1)).all():
+        return surface, False
+    shares = numpy_to_vtk(values.astype("float32"), deep=True)
+    shares.SetName(scalars.GetName())
     copy = vtkPolyData()
     copy.ShallowCopy(surface)
     copy.GetPointData().SetScalars(shares)
-    return copy
+    return copy, True
 
 
 def _choose_colors(writer, surface):

@@ -22,6 +22,7 @@ _FACES = b"f ", b"f\t", b"f\v", b"f\f"
 _BACKWARD = re.compile(rb"^[^\S\n]*f\s[^\n]*-", re.MULTILINE)
 _NORMAL = re.compile(rb"^[^\S\n]*vn\s", re.MULTILINE)
 _NAMED_NORMAL = re.compile(rb"^[^\S\n]*f\s[^\n]*/[^\s/]*/", re.MULTILINE)
+_BOM = b"\xef\xbb\xbf"  # of UTF-8; VTK's reader takes it for a part of the first command
 _PIECE = 1 << 20  # bytes of a file that are looked at together
 _ONLY_NUMBERS = bytes.maketrans(b"f/", b"  ")
 
@@ -34,14 +35,14 @@ def misfits(path):
 def to_rewrite(path):
     """What has to be left out of a copy that VTK's readers take, without misfits: normals that faces name where the
     file has none. None where no copy is needed: one is where a face counts back from its line, or may go on in the
-    next."""
+    next, or where the file begins with a byte order mark."""
     with open(path, "rb") as file:
         if file.seek(0, 2) == 0:
             return None
         with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
             if not _NORMAL.search(text) and _NAMED_NORMAL.search(text):
                 return [b"vn"]
-            return [] if _BACKWARD.search(text) or text.find(b"\\") >= 0 else None
+            return [] if text[:3] == _BOM or _BACKWARD.search(text) or text.find(b"\\") >= 0 else None
 
 
 def copy_without(path, copy, left_out):
@@ -140,6 +141,8 @@ def _commands(path):
     with open(path, "rb") as file:
         lines = enumerate(file, 1)
         for number, line in lines:
+            if number == 1:
+                line = line.removeprefix(_BOM)
             command, rest = (*line.split(None, 1), b"", b"")[:2]
             while command == b"f" and rest.rstrip().endswith(b"\\"):
                 rest = rest.rstrip()[:-1] + b" " + next(lines, (0, b""))[1]

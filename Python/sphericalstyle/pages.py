@@ -52,12 +52,15 @@ def write_page(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.00
             if data is None:
                 data = _model(root, binary, "XYZ".index(_up(properties)))
             data["presets"].append(_preset(root, binary, name, description))
-    ends = [item["places"][-1] for item in data["presets"] if not item["linear"]]
-    data["end"] = max(ends) if ends else maximum_roundness * 3 ** 0.5 / (1 + maximum_roundness * 3 ** 0.5)
-    text = TEMPLATE.read_text(encoding="utf-8").replace("@TITLE@", html.escape(title or printable(path.stem)))
+    # One target alone goes on forever, so it has no end of its own.
+    ends = [item["start"] if item["linear"] else item["places"][-1] for item in data["presets"]]
+    if all(item["linear"] for item in data["presets"]):
+        ends.append(maximum_roundness * 3 ** 0.5 / (1 + maximum_roundness * 3 ** 0.5))
+    data["end"] = max(ends)
+    # "</script>" and "@" cannot be in the data: names are ours, and numbers are base64.
+    text = TEMPLATE.read_text(encoding="utf-8").replace("@DATA@", json.dumps(data))
     with whole(path) as part:
-        # "</script>" cannot be in it: names are ours, and numbers are base64.
-        part.write_text(text.replace("@DATA@", json.dumps(data)), encoding="utf-8")
+        part.write_text(text.replace("@TITLE@", html.escape(printable(title or path.stem))), encoding="utf-8")
 
 
 def _up(properties):

@@ -7,7 +7,7 @@ import operator
 import re
 from typing import Any, NamedTuple
 
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkPolyDataAlgorithm
 
 from .messages import Messages
@@ -73,6 +73,7 @@ class Property(NamedTuple):
             getattr(style, "Set" + self.name)(self.choices.index(choice))
 
     def _converted(self, value):
+        """@raise TypeError, ValueError for a number that is too large for a float"""
         try:
             if self.kind == "switch":
                 if value not in (False, True):
@@ -82,6 +83,8 @@ class Property(NamedTuple):
                 x, y, z = map(float, value)
                 return x, y, z
             return operator.index(value) if self.kind == "integer" else float(value)
+        except OverflowError:
+            raise ValueError(f"{self.keyword} must be {self.range}; it is too large") from None
         except (TypeError, ValueError):
             kind = "a whole number" if self.kind == "integer" else self.range if self.minimum is None else "a number"
             raise TypeError(f"{self.keyword} must be {kind}; it is {value!r}") from None
@@ -171,6 +174,8 @@ def execute(algorithm, surface, other_names=None, **keywords):
     who calls our caller."""
     if isinstance(surface, vtkCompositeDataSet):
         raise TypeError(f"this takes one surface; call it for each block of the {surface.GetClassName()}")
+    if not isinstance(surface, vtkPolyData):
+        raise TypeError(f"this takes a vtkPolyData, and not a {surface.GetClassName()}; take its surface first")
     names = set_all(algorithm, keywords, other_names)
     algorithm.SetController(None)  # with MPI, too, each process has a mesh of its own
     messages = Messages(algorithm)

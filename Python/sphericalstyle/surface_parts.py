@@ -38,9 +38,11 @@ def parts(mesh, number=0):
     2
     >>> rounded = ss.round(snowman.GetOutput(), center_id=ids, normal_blend=0, detail_size=0)
     """
+    import numpy as np
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
     surface, _ = meshes.take(mesh, "parts")
     found = vtkSurfacePartsFilter()
     execute(found, surface, {"number": "NumberOfParts"}, number=number)
-    return vtk_to_numpy(found.GetOutput().GetPointData().GetArray("PartId")).copy()
+    ids = found.GetOutput().GetPointData().GetArray("PartId")  # none where there are no points
+    return vtk_to_numpy(ids).copy() if ids else np.empty(0, int)

@@ -219,6 +219,7 @@ refused("ends in .png", creature, output / "x.ply", "--picture", output / "x.jpg
 refused("several models need a folder", data, output / "x.ply")
 refused("--picture: give a folder, not a file, with --output", creature, "--output", output / "y", "--picture", "x.png")
 refused("no models", output / "models", output / "y") if (output / "models").mkdir() is None else None
+refused("is in the folder of the results", output / "models", "--output", output)
 assert not (output / "x.ply").exists() and not (output / "y").exists()
 
 # A model that fails: exit code 1, and what the reader, the filter or the writer says.
@@ -230,8 +231,17 @@ refused("holds 2 points and no faces", output / "cloud.obj", output / "x.ply", c
 refused("the face in line 4 names point 4, and the file has 3", output / "wrong.obj", output / "x.ply", code=1)
 refused('Region: there is no numeric point array "nothing"', creature, output / "x.ply", "--region", "nothing", code=1)
 done = run(creature, output / "nowhere" / "x.ply")
-assert done.returncode == 1 and f"{output / 'nowhere' / 'x.ply'}: cannot be written" in done.stderr, done
+assert done.returncode == 2 and f"{output / 'nowhere' / 'x.ply'}: there is no folder" in done.stderr, done
 assert not (output / "x.ply").exists() and not list(output.glob("*.part*"))
+
+# What the reader has to say is a warning as others, and the folder of a report is made as that of a picture.
+(output / "misfit.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\n"
+                                   "f 1/9 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", encoding="utf-8")
+done = run_well(output / "misfit.obj", output / "misfit.ply", "--report", output / "reports" / "a.json", "--quiet",
+                "--center", "-1e-3", "+1e-3", "-.2E-5")
+report = json.loads((output / "reports" / "a.json").read_text(encoding="utf-8"))
+assert "line 6 names texture coordinate 9" in report["models"][0]["warnings"][0] and not done.stderr, (report, done)
+assert report["properties"]["center"] == [-0.001, 0.001, -0.000002], report
 
 # -------------------------------------------------------------------------------------------------------------- folders
 models = output / "models"

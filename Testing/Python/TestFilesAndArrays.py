@@ -4,15 +4,20 @@
 
 usage: TestFilesAndArrays.py DATA_FOLDER
 """
+import dataclasses
+import json
 import os
 import pathlib
 import sys
 import tempfile
+import types
 import warnings
+from typing import NamedTuple
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkMultiBlockDataSet, vtkPolyData, vtkTable,
+                                           vtkUnstructuredGrid)
 
 import sphericalstyle as ss
 
@@ -36,7 +41,7 @@ def refused(kind, call, *words):
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
     kept = {}
-    for own in ("toy.part.ply", "toy.part.glb", "toy.vtp.part", "toy.html.part", "toy.ply.part"):
+    for own in ("toy.part.ply", "toy.part.glb", "toy.vtp.part", "toy.html.part", "toy.ply.part", "toy.3mf.part"):
         (folder / own).write_bytes(own.encode())
         kept[own] = own.encode()
     targets = ["toy.ply", "toy.vtp", "UP.PLY", "Up.Stl", "x" * 251 + ".ply"]
@@ -45,11 +50,15 @@ with tempfile.TemporaryDirectory() as name:
         ss.write_slider(folder / "SLIDER.GLB", creature, detail_size=0, keep_size="Off")
         assert ss.read(folder / "SLIDER.GLB").GetNumberOfPoints() == len(P)
         ss.write_page(folder / "toy.html", creature, detail_size=0, keep_size="Off", normal_blend=0)
+    writer = ss.vtk3MFWriter()
+    writer.SetFileName(str(folder / "toy.3mf"))
+    writer.SetInputData(creature)
+    assert writer.Write()
     for target in targets:
         ss.write(folder / target, creature)
         assert ss.read(folder / target).GetNumberOfPolys() == len(F), target
     assert all((folder / own).read_bytes() == content for own, content in kept.items())
-    expected = {*kept, *targets, *(["SLIDER.GLB", "toy.html"] if "toy.glb" in targets else [])}
+    expected = {*kept, *targets, "toy.3mf", *(["SLIDER.GLB", "toy.html"] if "toy.glb" in targets else [])}
     assert set(os.listdir(folder)) == expected, set(os.listdir(folder)) ^ expected
     (folder / "is.ply").mkdir()
     refused(ss.Error, lambda: ss.write(folder / "is.ply", creature), "is.ply", "cannot be written", "directory")
@@ -57,6 +66,45 @@ with tempfile.TemporaryDirectory() as name:
     assert set(os.listdir(folder)) == expected | {"is.ply"}, "nothing is left behind"
     (folder / "UP.GLTF").write_text("{}", encoding="utf-8")
     refused(ss.Error, lambda: ss.read(folder / "UP.GLTF"), "UP.GLTF", "lower case")
+
+# Pages: names that are not text, any title, and every preset opens within the slider.
+if hasattr(ss, "vtkStyleGLTFWriter"):
+    with tempfile.TemporaryDirectory() as name:
+        page = pathlib.Path(os.fsdecode(os.fsencode(name) + b"/\xff.html"))
+        for title, options in ((None, {}), ("@DATA@ <b>", {"roundness": 8.0, "maximum_roundness": 3.0})):
+            ss.write_page(page, creature, title=title, detail_size=0, keep_size="Off", **options)
+            text = page.read_text(encoding="utf-8")
+            assert ("<title>@DATA@ &lt;b&gt;</title>" if title else "<title>\\udcff</title>") in text, title
+            shown = json.loads(text.partition('type="application/json">')[2].partition("</script>")[0])
+            assert shown["presets"][0]["linear"] and all(0 < preset["start"] <= shown["end"] < 1
+                                                         for preset in shown["presets"]), shown["end"]
+
+# What has no faces is not written, in any format, and what is written can be read again.
+with tempfile.TemporaryDirectory() as name:
+    folder = pathlib.Path(name)
+    for suffix in ss.model_files.WRITERS:
+        refused(ss.Error, lambda suffix=suffix: ss.write(folder / f"x{suffix}", vtkPolyData()), "0 points and no faces")
+    assert not os.listdir(folder)
+    strip = vtkPolyData()
+    strip.SetPoints(creature.GetPoints())
+    strip.SetStrips(vtkCellArray())
+    strip.GetStrips().InsertNextCell(4, (0, 1, 2, 3))
+    for suffix in set(ss.model_files.WRITERS) & set(ss.model_files.READERS):
+        ss.write(folder / f"strip{suffix}", strip)
+        assert ss.model_files.triangle_count(ss.read(folder / f"strip{suffix}")) == 2, suffix
+    # Only colors are colors: the writer of glTF takes any active scalars for them.
+    shares = np.abs(P - P.min(axis=0)) / np.ptp(P, axis=0)
+    for values, is_color in ((P[:, 0], False), (P, False), (shares, True), (shares.astype(np.float32), True),
+                             ((255 * shares).astype(np.uint8), True), ((65535 * shares).astype(np.uint16), True),
+                             (shares > 0.5, True), ((255 * shares).astype(int), False), (shares[:, :2], False)):
+        colored = vtkPolyData()
+        colored.ShallowCopy(creature)
+        scalars = ss.meshes.array_of(values, "scalars")
+        scalars.SetName("scalars")
+        colored.GetPointData().SetScalars(scalars)
+        ss.write(folder / "colored.glb", colored)
+        content = (folder / "colored.glb").read_bytes()
+        assert (b"COLOR_0" in content) == is_color and ss.read(folder / "colored.glb"), values.dtype
 
 # -------------------------------------------------------------------------------------------------------------- arrays
 upper = P[:, 1] > np.median(P[:, 1])
@@ -88,3 +136,70 @@ for call in (lambda: ss.deform(blocks, []), lambda: ss.resize(blocks, {0: 1.2}),
     refused(TypeError, call, "each block")
 for axis in ("-Z", "-y", "W"):
     refused(ValueError, lambda axis=axis: ss.round(creature, keep_size="Extent", up_axis=axis), "up_axis", axis)
+refused(TypeError, lambda: ss.round(vtkTable()), "round()", "vtkTable")
+for call in (ss.parts, lambda grid: ss.deform(grid, []), lambda grid: ss.resize(grid, {}, parts=[])):
+    refused(TypeError, lambda call=call: call(vtkUnstructuredGrid()), "vtkUnstructuredGrid")
+refused(TypeError, lambda: ss.round((P, None)), "faces must be", "None")
+refused(TypeError, lambda: ss.deform(creature, [{"place": "abc"}]), "handle 1: place must be 3 numbers, not 'abc'")
+refused(ValueError, lambda: ss.deform(creature, [{"place": (10**400, 0, 0)}]), "handle 1: place", "too large")
+for keyword, value in (("roundness", 10**400), ("center", (0, 10**400, 0)), ("number_of_threads", 10**400)):
+    refused(ValueError, lambda keyword=keyword, value=value: ss.round(creature, **{keyword: value}), keyword)
+for call in (ss.round, ss.parts, lambda mesh: ss.resize(mesh, {0: 1.2}), lambda mesh: ss.deform(mesh, [])):
+    for mesh in ((np.empty((0, 3)), np.empty((0, 3), int)), (P, []), vtkPolyData()):
+        try:
+            call(mesh)
+        except (ss.Error, ValueError) as error:
+            assert str(error), mesh
+assert len(ss.parts(vtkPolyData())) == 0 and (ss.parts((P, [])) == -1).all()
+
+
+# ------------------------------------------------------------------------------------- objects with vertices and faces
+class Box:
+    """As those of trimesh: made of lengths, and whoever sets vertices is not heard."""
+
+    def __init__(self, lengths):
+        self.lengths = lengths
+
+    vertices = property(lambda self: self.lengths * corners, lambda self, values: None)
+    faces = quads
+
+
+class Mesh:
+    def __init__(self, vertices, faces):
+        self.vertices, self.faces = vertices, faces
+
+
+class MeshBox(Mesh):
+    def __init__(self, lengths):
+        super().__init__(lengths * corners, quads)
+
+    def __setattr__(self, name, value):
+        if not hasattr(self, name):
+            super().__setattr__(name, value)
+
+
+@dataclasses.dataclass(frozen=True)
+class Frozen:
+    vertices: np.ndarray
+    faces: np.ndarray
+    name: str = ""
+
+
+class Row(NamedTuple):
+    vertices: np.ndarray
+    faces: np.ndarray
+    name: str = ""
+
+
+expected = ss.round((corners, quads), refine_long_edges="Off")[0]
+for mesh in (MeshBox(1.0), Frozen(corners, quads, "box"), Row(corners, quads, "box"), Mesh(corners, quads),
+             types.SimpleNamespace(vertices=corners, faces=quads, name="box")):
+    rounded = ss.round(mesh, refine_long_edges="Off")
+    assert isinstance(rounded, Mesh if isinstance(mesh, MeshBox) else type(mesh)), rounded
+    assert (rounded.vertices == expected).all() and (rounded.faces == quads).all(), rounded
+    assert getattr(rounded, "name", "box") == "box" and (mesh.vertices == corners).all(), rounded
+    if not isinstance(mesh, types.SimpleNamespace):
+        split = ss.round(mesh)
+        assert (split.vertices == most).all() and (split.faces == triangles).all(), split
+refused(TypeError, lambda: ss.round(Box(1.0), refine_long_edges="Off"), "Box", "cannot be set")
+assert (ss.round((corners, iter(quads.tolist())))[0] == most).all(), "faces that are given once"
