@@ -10,9 +10,11 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -26,11 +28,12 @@ constexpr int SubCells =
 constexpr int SubCellsOfCell = 27;
 constexpr double LongestPart = 0.75; // of the spacing
 constexpr double LongestWhole = 1.0 / 6.0;
-constexpr double CentroidShare = 0.75; // of the area; the corners have the rest
-constexpr double Ridge = 1e-7;         // of the mean diagonal
-constexpr double Across = 0.1;         // of N, the slope across the surface
-constexpr double PoissonMass = 1e-6;   // holds the constant, which has no gradient
-constexpr int MostCutsToSearch = 4;    // of an edge: beyond, parts of a triangle are hashed
+constexpr double CentroidShare = 0.75;         // of the area; the corners have the rest
+constexpr double Ridge = 1e-7;                 // of the mean diagonal
+constexpr double Across = 0.1;                 // of N, the slope across the surface
+constexpr double PoissonMass = 1e-6;           // holds the constant, which has no gradient
+constexpr int MostCutsToSearch = 4;            // of an edge: beyond, parts of a triangle are hashed
+constexpr std::size_t MostCutParts = 10000000; // 400 MB; 18 sheets with as many as there may be
 constexpr int TrianglesOfTask = 1 << 15;
 constexpr int CellsOfTask = 64;
 constexpr int PointsOfPacket = 4096;
@@ -250,8 +253,8 @@ public:
   {
   }
 
-  /// @return the active cells of the box, ascending
-  std::vector<int> Cut();
+  /// @return the active cells of the box, ascending, or nothing where there would be too many parts
+  std::optional<std::vector<int>> Cut();
   void Sum(const std::vector<int>& cells);
 
 private:
@@ -275,6 +278,7 @@ private:
   void TakeSums(const std::vector<SampleSums>& sums, std::size_t cells);
   void Cut(int triangle, Parts& parts) const;
   void CutEvenly(int triangle, int n, Parts& parts) const;
+  bool AreTooMany() const { return this->NumberOfCutParts > MostCutParts; }
   /// @param cell  number among the active ones
   void SumCell(int cell, const Part* begin, const Part* end, Samples& samples) const;
   /// @param number  of the sub-cell among those of all active cells
@@ -287,6 +291,8 @@ private:
   const Triangles& F;
   int Threads;
   std::vector<Parts> Tasks;
+  /// Of cut triangles, by all tasks. Once they are too many, nothing more is cut.
+  mutable std::atomic<std::size_t> NumberOfCutParts{ 0 };
 };
 
 struct SurfaceGrid::Splatter::Samples
@@ -346,7 +352,8 @@ void SurfaceGrid::Splatter::CutEvenly(int triangle, int n, Parts& parts) const
       add(barycentric.col(k), (1.0 - CentroidShare) / 3.0);
     }
   };
-  for (int row = 0; row < n; ++row)
+  std::size_t counted = parts.shares.size();
+  for (int row = 0; row < n && !this->AreTooMany(); ++row)
   {
     for (int column = 0; column <= row; ++column)
     {
@@ -356,6 +363,10 @@ void SurfaceGrid::Splatter::CutEvenly(int triangle, int n, Parts& parts) const
         addTriangle({ row, row + 1, row }, { column, column + 1, column + 1 });
       }
     }
+    // A triangle with so many lies in more cells than there may be, each with functions.
+    const bool isAlone = parts.parts.size() - first > SubCellsOfCell * MaximumNumberOfFunctions;
+    this->NumberOfCutParts += isAlone ? MostCutParts + 1 : parts.shares.size() - counted;
+    counted = parts.shares.size();
   }
 }
 
@@ -384,7 +395,7 @@ void SurfaceGrid::Splatter::Cut(int triangle, Parts& parts) const
     triangle, std::max(1, static_cast<int>(std::ceil(longest / (LongestPart * spacing)))), parts);
 }
 
-std::vector<int> SurfaceGrid::Splatter::Cut()
+std::optional<std::vector<int>> SurfaceGrid::Splatter::Cut()
 {
   const int m = static_cast<int>(this->F.rows());
   this->Tasks.assign((m + TrianglesOfTask - 1) / TrianglesOfTask, {});
@@ -399,6 +410,12 @@ std::vector<int> SurfaceGrid::Splatter::Cut()
         this->Cut(f, parts);
       }
     });
+  // Whoever stops early has too many already, so the answer is that for all triangles.
+  if (this->Grid.Everybody.Sum(static_cast<double>(this->NumberOfCutParts)) >
+    static_cast<double>(MostCutParts))
+  {
+    return std::nullopt;
+  }
   std::vector<char> touched(this->Grid.CellOfBox.size(), 0);
   for (const Parts& parts : this->Tasks)
   {
@@ -418,7 +435,7 @@ std::vector<int> SurfaceGrid::Splatter::Cut()
   std::vector<double> all = this->Grid.Everybody.Concatenate(own);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
-  return { all.begin(), all.end() };
+  return std::vector<int>(all.begin(), all.end());
 }
 
 void SurfaceGrid::Splatter::SumSubCell(
@@ -717,7 +734,8 @@ SurfaceGrid::SurfaceGrid(
     if (!(boxes <= MostBoxes))
     {
       const double thinnest = extent.maxCoeff() / MostBoxes; // the root below could overflow
-      this->Spacing = std::max(this->Spacing * 1.01 * std::cbrt(boxes / MostBoxes), thinnest);
+      this->Spacing =
+        std::max(thinnest, this->Spacing * 1.01 * std::cbrt(boxes / MostBoxes)); // of NaN, too
       continue;
     }
     for (int axis = 0; axis < 3; ++axis)
@@ -726,15 +744,20 @@ SurfaceGrid::SurfaceGrid(
     }
     this->CellOfBox.assign(static_cast<std::size_t>(boxes), Outside);
     Splatter splatter(*this, P, F, threads);
-    const std::vector<int> cells = splatter.Cut();
-    this->NumberFunctions(cells);
+    const std::optional<std::vector<int>> cells = splatter.Cut();
+    if (!cells)
+    {
+      this->Spacing *= 2.0;
+      continue;
+    }
+    this->NumberFunctions(*cells);
     if (this->NumberOfFunctions > MaximumNumberOfFunctions)
     {
       this->Spacing *=
         1.02 * std::sqrt(static_cast<double>(this->NumberOfFunctions) / MaximumNumberOfFunctions);
       continue;
     }
-    splatter.Sum(cells);
+    splatter.Sum(*cells);
     return;
   }
 }

@@ -109,7 +109,8 @@ public:
 
   double GetSize() const { return this->Size; }
   double GetSpacing() const { return this->Spacing; }
-  /// Whether the spacing is larger than s / 1.5, for there would be too many functions.
+  /// Whether the spacing is larger than s / 1.5, for there would be too many functions or parts of
+  /// triangles.
   bool IsCoarser() const { return this->Spacing > this->Size / SpacingsPerSize * (1.0 + 1e-12); }
   int GetNumberOfFunctions() const { return this->NumberOfFunctions; }
   int GetNumberOfSamples() const { return static_cast<int>(this->Weights.size()); }

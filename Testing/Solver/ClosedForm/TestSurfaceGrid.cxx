@@ -11,9 +11,12 @@
 #include "SurfaceMeasures.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <vector>
+
+#include <sys/resource.h>
 
 using namespace SphericalStyle;
 
@@ -391,6 +394,33 @@ void Coarser(const Framed& s)
   CHECK(per > 2.0 && per < 15.0, s.name << ": " << per << " functions per spacing^2");
 }
 
+/// kB
+long PeakMemory()
+{
+  rusage used = {};
+  getrusage(RUSAGE_SELF, &used);
+  return used.ru_maxrss;
+}
+
+/// A sheet is cut into as many parts as a grid could have, and not into those of a size that cannot
+/// be had: these would take 2.8 GB. At any number of threads it ends with the same grid.
+void Sheet()
+{
+  const long before = PeakMemory();
+  const TriangleMesh sheet = Meshes::Patch(1, 0.0);
+  const Framed s = { "a sheet", FrameOf(sheet.P).Into(sheet.P), sheet.F };
+  const SurfaceGrid one(s.P, s.F, 0.0005, 1);
+  const SurfaceGrid grid(s.P, s.F, 0.0005, 2);
+  CHECK(grid.IsCoarser() && grid.GetNumberOfFunctions() > SurfaceGrid::MaximumNumberOfFunctions / 4,
+    s.name << ": " << grid.GetNumberOfFunctions() << " functions");
+  CHECK(one.GetSpacing() == grid.GetSpacing(),
+    s.name << ": spacing " << one.GetSpacing() << " or " << grid.GetSpacing());
+  const long more = PeakMemory() - before;
+  CHECK(more < 500000, s.name << ": " << more << " kB");
+  const SurfaceGrid least(s.P, s.F, std::numeric_limits<double>::denorm_min(), 2);
+  CHECK(least.IsCoarser() && least.GetNumberOfFunctions() > 0, s.name << ": the least size");
+}
+
 /// The grid at some of the samples: at all of them it is the same, and at those of one of two
 /// surfaces that are far from each other it gives what both give there.
 void AtSome(const Framed& two)
@@ -458,6 +488,7 @@ int main()
   Straight();
   Scales();
   Coarser(surfaces.front());
+  Sheet();
   Outside(surfaces.front());
   AtSome(*std::find_if(
     surfaces.begin(), surfaces.end(), [](const Framed& s) { return s.name == "two parts"; }));
