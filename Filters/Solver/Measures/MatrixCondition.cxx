@@ -43,7 +43,7 @@ Vector StartVector(Eigen::Index n)
 Eigenvalue LargestEigenvalue(const Operator& A, const Vector& start, double tolerance)
 {
   constexpr int MaximumSteps = 2000;
-  constexpr int StepsBetweenLooks = 10;
+  int nextLook = 10; // which takes step^3, so that there are fewer and fewer
   std::vector<double> alpha;
   std::vector<double> beta;
   Vector before = Vector::Zero(start.size());
@@ -56,8 +56,9 @@ Eigenvalue LargestEigenvalue(const Operator& A, const Vector& start, double tole
     w -= alpha.back() * v + (beta.empty() ? 0.0 : beta.back()) * before;
     const double next = w.norm();
     const bool exhausted = !(next > 1e-14 * std::abs(alpha.front()));
-    if (exhausted || step % StepsBetweenLooks == 0)
+    if (exhausted || step == nextLook || step == MaximumSteps)
     {
+      nextLook += std::max(10, nextLook / 4);
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> small;
       small.computeFromTridiagonal(Eigen::Map<const Vector>(alpha.data(), step),
         Eigen::Map<const Vector>(beta.data(), step - 1));
