@@ -486,7 +486,6 @@ void StyleSolver::State::FactorGlobal(const EdgeWeights& w, int threads, StyleRe
   report.seconds.analyze = global.GetAnalyzeSeconds();
   report.seconds.factor = global.GetFactorSeconds();
   report.linearSolver = global.GetSolverName();
-  report.unfinishedSolves = global.GetNumberOfUnfinishedSolves();
   report.hasMinimum = global.IsDefinite();
 }
 
@@ -574,6 +573,8 @@ StyleReport StyleSolver::State::Solve(const StyleOptions& options, const Callbac
   }
   double restEnergy = problem.Evaluate(this->P).Total();
   this->PrepareLoop(options, report);
+  const auto unfinishedSolves = [this] { return this->Global.Use().GetNumberOfUnfinishedSolves(); };
+  const int unfinishedBefore = unfinishedSolves();
 
   const Stopwatch iterate;
   this->Start(problem, options, report);
@@ -593,6 +594,7 @@ StyleReport StyleSolver::State::Solve(const StyleOptions& options, const Callbac
   loop.maximumNumberOfIterations = report.closedForm ? 0 : loop.maximumNumberOfIterations;
   report.loop = RunLocalGlobal(
     problem, this->P, restEnergy, 1e-14 * this->Energy.GetScale(), this->Q, loop, callback);
+  report.unfinishedSolves = unfinishedSolves() - unfinishedBefore;
   if (report.closedForm)
   {
     report.loop.converged = true;
