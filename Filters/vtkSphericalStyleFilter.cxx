@@ -347,7 +347,7 @@ int vtkSphericalStyleFilter::RequestPreview(
   {
     can = can && this->CanPreview(inputVector, processes.get());
   }
-  catch (const std::invalid_argument&) // the whole execution says what is wrong
+  catch (const std::exception&) // the whole execution says what is wrong
   {
     can = false;
   }

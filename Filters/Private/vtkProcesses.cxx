@@ -117,6 +117,7 @@ void vtkProcesses::Broadcast(double* numbers, vtkIdType size) const
 
 void vtkProcesses::Reduce(double* numbers, std::size_t size, const Join& join) const
 {
+  std::vector<double> received(size); // before others wait for this process
   this->GoOn();
   if (size == 0)
   {
@@ -125,7 +126,6 @@ void vtkProcesses::Reduce(double* numbers, std::size_t size, const Join& join) c
   const int rank = this->GetRank();
   const int count = this->Controller->GetNumberOfProcesses();
   const auto length = static_cast<vtkIdType>(size);
-  std::vector<double> received;
   for (int step = 1; step < count; step *= 2)
   {
     if (rank % (2 * step) != 0)
@@ -136,7 +136,6 @@ void vtkProcesses::Reduce(double* numbers, std::size_t size, const Join& join) c
     }
     if (rank + step < count)
     {
-      received.resize(size);
       this->Controller->Receive(received.data(), length, rank + step, PartOfSum);
       this->BytesReceived += Bytes(size);
       join(numbers, received.data());
@@ -147,18 +146,19 @@ void vtkProcesses::Reduce(double* numbers, std::size_t size, const Join& join) c
 
 std::vector<double> vtkProcesses::Concatenate(const std::vector<double>& own) const
 {
-  this->GoOn();
   const int count = this->Controller->GetNumberOfProcesses();
   const auto size = static_cast<vtkIdType>(own.size());
   std::vector<vtkIdType> sizes(count);
-  this->Controller->AllGather(&size, sizes.data(), 1);
   std::vector<vtkIdType> offsets(count + 1, 0);
+  this->GoOn();
+  this->Controller->AllGather(&size, sizes.data(), 1);
   std::partial_sum(sizes.begin(), sizes.end(), offsets.begin() + 1);
   std::vector<double> all(offsets.back());
   if (all.empty())
   {
     return all;
   }
+  this->GoOn(); // that there is memory for all of it, everywhere
   this->Controller->GatherV(own.data(), all.data(), size, sizes.data(), offsets.data(), 0);
   if (this->GetRank() == 0)
   {
