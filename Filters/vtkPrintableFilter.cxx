@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPrintableFilter.h"
 
+#include "Callback.h"
 #include "ClosedSurface.h"
 #include "ManifoldSurface.h"
 #include "Orientation.h"
@@ -397,7 +398,24 @@ int vtkPrintableFilter::Execute(
   options.volume = this->Volume;
   options.height = this->Height;
   options.threads = ThreadsToUse(0);
-  PrintableResult result = SphericalStyle::MakePrintable(closed.Mesh, options);
+  int steps = 0; // nobody knows how many there will be
+  options.onStep = [this, &steps]
+  {
+    this->UpdateProgress(0.9 - 0.8 * std::pow(0.95, ++steps));
+    if (Aborted(this))
+    {
+      throw SphericalStyle::SolveAborted();
+    }
+  };
+  PrintableResult result;
+  try
+  {
+    result = SphericalStyle::MakePrintable(closed.Mesh, options);
+  }
+  catch (const SphericalStyle::SolveAborted&)
+  {
+    return 1; // nothing comes out, as everywhere in VTK
+  }
   this->Factor = result.factor;
   this->UpdateProgress(0.9);
   if (this->PlaceOnPlate)

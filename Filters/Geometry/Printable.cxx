@@ -286,6 +286,10 @@ Stand FindStand(const TriangleMesh& mesh, const PrintableOptions& options)
     {
       break;
     }
+    if (options.onStep)
+    {
+      options.onStep();
+    }
     Stand stand = GiveFoot(mesh, options, area);
     stand.isLarger = !isFirst;
     const bool isLargest = !stand.footRemark.empty();
@@ -339,8 +343,8 @@ void ThickenOnFoot(const PrintableOptions& options, Stand& stand)
 {
   TriangleMesh& made = stand.surface.mesh;
   const int axis = options.axis;
-  made.P =
-    ThickenWalls(made, options.thickness, options.threads, { axis, made.P.col(axis).minCoeff() });
+  made.P = ThickenWalls(made, options.thickness, options.threads,
+    { axis, made.P.col(axis).minCoeff() }, options.onStep);
   const Eigen::Vector2d before = stand.shear;
   FindLean(options, stand);
   LeanBy(stand.shear, axis, made.P);
@@ -404,7 +408,7 @@ PrintableResult MakePrintable(const TriangleMesh& mesh, const PrintableOptions& 
   double reached = result.thickness.minCoeff();
   for (int k = 0; k < Thickenings && result.thickness.minCoeff() < options.thickness; ++k)
   {
-    const Points P = ThickenWalls(mesh, wanted, options.threads);
+    const Points P = ThickenWalls(mesh, wanted, options.threads, {}, options.onStep);
     result.thickened = (P - mesh.P).rowwise().norm().maxCoeff();
     StandAndScale({ P, mesh.F }, options, true, result);
     const double next = options.thickness / result.factor;

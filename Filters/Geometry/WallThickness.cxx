@@ -215,15 +215,24 @@ Eigen::VectorXd WantedMotions(
   return d;
 }
 
+void Call(const std::function<void()>& onStep)
+{
+  if (onStep)
+  {
+    onStep();
+  }
+}
+
 /// Moves points along their normals, less where that would make triangles run through each other.
 /// @param before  triangles that do so already @param stuck  gets points that had no room
 void MoveOutward(TriangleMesh& mesh, Eigen::VectorXd d, const std::vector<char>& before,
-  const Ground& ground, std::vector<char>& stuck)
+  const Ground& ground, std::vector<char>& stuck, const std::function<void()>& onStep)
 {
   const Points start = mesh.P;
   const Points normals = SmoothNormals(mesh, d.maxCoeff());
   for (int k = 0;; ++k)
   {
+    Call(onStep);
     mesh.P = start + (normals.array().colwise() * d.array()).matrix();
     // At most half way down to the ground, and on it aside alone.
     const auto lowest = 0.5 * (start.col(ground.axis).array() + ground.level);
@@ -296,7 +305,8 @@ Walls FindWalls(const TriangleMesh& mesh, int threads, double reach)
   return walls;
 }
 
-Points ThickenWalls(const TriangleMesh& mesh, double thickness, int threads, const Ground& ground)
+Points ThickenWalls(const TriangleMesh& mesh, double thickness, int threads, const Ground& ground,
+  const std::function<void()>& onStep)
 {
   TriangleMesh thick = mesh;
   std::vector<char> intersecting;
@@ -304,6 +314,7 @@ Points ThickenWalls(const TriangleMesh& mesh, double thickness, int threads, con
   double missing = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < Passes; ++pass)
   {
+    Call(onStep);
     const double wanted = (1.0 + WallSurplus) * thickness;
     const Walls walls = FindWalls(thick, threads, wanted);
     const double stillMissing = (thickness - walls.thickness.array().min(thickness)).sum();
@@ -318,7 +329,7 @@ Points ThickenWalls(const TriangleMesh& mesh, double thickness, int threads, con
     {
       intersecting = IntersectingTriangles(mesh);
     }
-    MoveOutward(thick, std::move(d), intersecting, ground, stuck);
+    MoveOutward(thick, std::move(d), intersecting, ground, stuck, onStep);
   }
   return thick.P;
 }

@@ -7,6 +7,7 @@
 
 #include "TriangleMesh.h"
 
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -43,9 +44,10 @@ struct Ground
 /// where two triangles would run through each other that did not do so before.
 /// @param mesh  closed, facing outward; every triangle has an area
 /// @param thickness  length, above 0
+/// @param onStep  called before each step; what it throws ends all of it
 /// @return the points; those of the mesh, to the bit, where nothing is thinner
-Points ThickenWalls(
-  const TriangleMesh& mesh, double thickness, int threads, const Ground& ground = {});
+Points ThickenWalls(const TriangleMesh& mesh, double thickness, int threads,
+  const Ground& ground = {}, const std::function<void()>& onStep = {});
 } // namespace SphericalStyle
 
 #endif
