@@ -6,12 +6,14 @@
 #include "MeshQuality.h"
 #include "MeshTopology.h"
 #include "SurfaceMeasures.h"
+#include "TriangleTree.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -91,6 +93,68 @@ struct Part
   Eigen::AlignedBox3d bounds;
   std::vector<int> triangles;
 };
+
+/// Of a line from a to b seen from p, along z: positive where p lies to its left. Where p lies on
+/// it, as if p were moved a little along x, and much less along y. The other way round the sign is
+/// the other one, so that of two triangles at an edge exactly one has p.
+int SideOf(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& p)
+{
+  const auto signOf = [](double x) { return x > 0.0 ? 1 : x < 0.0 ? -1 : 0; };
+  const double area = (a.x() - p.x()) * (b.y() - p.y()) - (a.y() - p.y()) * (b.x() - p.x());
+  if (area != 0.0)
+  {
+    return signOf(area);
+  }
+  return a.y() != b.y() ? signOf(a.y() - b.y()) : signOf(b.x() - a.x());
+}
+
+/// +1 where a ray from p along z leaves what the triangle bounds, -1 where it enters, 0 where it
+/// does not meet the triangle.
+int CrossingOf(const TriangleMesh& mesh, int f, const Eigen::RowVector3d& p)
+{
+  const Eigen::RowVector3d a = mesh.P.row(mesh.F(f, 0));
+  const Eigen::RowVector3d b = mesh.P.row(mesh.F(f, 1));
+  const Eigen::RowVector3d c = mesh.P.row(mesh.F(f, 2));
+  const int side = SideOf(a, b, p);
+  if (side == 0 || SideOf(b, c, p) != side || SideOf(c, a, p) != side)
+  {
+    return 0;
+  }
+  return side * TripleProduct(mesh.P, mesh.F, f, p) > 0.0 ? side : 0;
+}
+
+/// How often closed surfaces go around a point: the crossings of a ray.
+/// @param counts  whether a triangle does
+template <typename Counts>
+int WindingNumber(
+  const TriangleTree& tree, const TriangleMesh& mesh, int point, const Counts& counts)
+{
+  const Eigen::RowVector3d p = mesh.P.row(point);
+  int number = 0;
+  std::vector<TriangleTree::Node> nodes = { tree.GetRoot() };
+  while (!nodes.empty())
+  {
+    const TriangleTree::Node node = nodes.back();
+    nodes.pop_back();
+    const Eigen::AlignedBox3d& box = tree.GetBox(node);
+    if (p.x() < box.min().x() || p.x() > box.max().x() || p.y() < box.min().y() ||
+      p.y() > box.max().y() || p.z() > box.max().z())
+    {
+      continue;
+    }
+    if (!TriangleTree::IsLeaf(node))
+    {
+      nodes.push_back(tree.GetRight(node));
+      nodes.push_back(tree.GetLeft(node));
+      continue;
+    }
+    for (const int* f = tree.Begin(node); f != tree.End(node); ++f)
+    {
+      number += counts(*f) ? CrossingOf(mesh, *f, p) : 0;
+    }
+  }
+  return number;
+}
 
 /// One diagnosis. Triangles of `Mesh` are the usable ones, around the origin at size 1, so that
 /// neither angles nor volumes overflow.
@@ -376,33 +440,29 @@ private:
     return parts;
   }
 
-  /// Whether the closed parts but one go around its point: then that one is a cavity.
-  bool IsCavity(const std::vector<Part>& parts, const Part& part) const
-  {
-    const Eigen::Vector3d point = this->Mesh.P.row(part.point);
-    double angle = 0.0;
-    for (const Part& other : parts)
-    {
-      if (&other != &part && other.closed && other.bounds.contains(part.bounds))
-      {
-        for (const int f : other.triangles)
-        {
-          angle += SolidAngle(this->Mesh.P, this->Mesh.F, f, point);
-        }
-      }
-    }
-    return angle > 2.0 * Pi; // all around is 4 pi
-  }
-
   void ExamineParts(const MeshEdges& edges, const MeshTopology& topology)
   {
     const std::vector<Part> parts = this->MakeParts(edges, topology);
+    std::optional<TriangleTree> tree; // of all triangles, where it is needed
+    // Whether the closed parts but one go around its point: then that one is a cavity.
+    const auto isCavity = [&](const Part& part)
+    {
+      if (!tree)
+      {
+        tree.emplace(this->Mesh.P, this->Mesh.F);
+      }
+      return WindingNumber(*tree, this->Mesh, part.point,
+               [&](int f)
+               {
+                 const Part& other = parts[topology.GetComponents()[this->Mesh.F(f, 0)]];
+                 return &other != &part && other.closed && other.bounds.contains(part.bounds);
+               }) > 0;
+    };
     for (std::size_t k = 0; k < parts.size(); ++k)
     {
       const Part& part = parts[k];
       const bool insideOut = part.closed &&
-        part.volume < -FlatVolume * part.area * std::sqrt(part.area) &&
-        !this->IsCavity(parts, part);
+        part.volume < -FlatVolume * part.area * std::sqrt(part.area) && !isCavity(part);
       this->CountOf(Defect::InsideOutComponents) += insideOut;
       for (const int f : part.triangles)
       {

@@ -252,6 +252,27 @@ void TestInsideOut()
     Meshes::Together({ ball,
       Meshes::Moved(InsideOut(Meshes::Scaled(ball, { 0.1, 0.1, 0.1 })), { 0.8, 0.8, 0.8 }) }),
     { { Defect::InsideOutComponents, 1, 80 } });
+  // Along z from any point there are edges and points of the others.
+  const TriangleMesh cube = Meshes::Box(2);
+  const auto scaled = [&cube](double by) { return Meshes::Scaled(cube, { by, by, by }); };
+  CheckFindings(
+    "cubes", Meshes::Together({ scaled(4.0), InsideOut(scaled(2.0)), scaled(1.0) }), {});
+  CheckFindings("an island that is turned",
+    Meshes::Together({ scaled(4.0), InsideOut(scaled(2.0)), InsideOut(cube) }),
+    { { Defect::InsideOutComponents, 1, 2 * static_cast<int>(cube.F.rows()) } });
+  // A foam: every hole is one.
+  std::vector<TriangleMesh> foam = { scaled(20.0) };
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Meshes::Vector place(i % 10, i / 10 % 10, i / 100);
+    foam.push_back(Meshes::Moved(
+      InsideOut(i % 2 == 0 ? cube : ball), 3.5 * (place - Meshes::Vector::Constant(4.5))));
+  }
+  CheckFindings("foam", Meshes::Together(foam), {});
+  foam.front() = InsideOut(foam.front());
+  CHECK(Diagnose(Meshes::Together(foam).P, Meshes::Together(foam).F)[Defect::InsideOutComponents]
+          .count == 1001,
+    "without a shell");
   TriangleMesh open = InsideOut(ball);
   open.F.conservativeResize(79, 3);
   CHECK(Diagnose(open.P, open.F)[Defect::InsideOutComponents].count == 0, "open: nobody can tell");
