@@ -39,7 +39,8 @@ namespace
 constexpr const char* Usage =
   "usage: RoundModel MODEL [options, with their defaults in parentheses]\n"
   "  MODEL                     ply, stl, obj, vtk or vtp\n"
-  "  --roundness NUMBER        0 or more: 0 is the model, 5 nearly a ball (1)\n"
+  "  --roundness NUMBER        0 or more: 0 is the model (1)\n"
+  "                            5 is nearly a ball, if --normal-blend is 0\n"
   "  --detail-size NUMBER      0..0.2: details up to this fraction of the diagonal stay (.06)\n"
   "  --normal-blend NUMBER     0..1: 0: one ball, 1: every limb round by itself (.6)\n"
   "  --output FILE.vtp         write the result\n"
