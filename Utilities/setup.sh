@@ -21,7 +21,7 @@ release=$(. /etc/os-release 2>/dev/null && echo "${ID:-?} ${VERSION_CODENAME:-?}
 
 packages=(
   # build
-  ca-certificates cmake g++ git ninja-build
+  ca-certificates cmake g++ git make ninja-build
   libcgal-dev libeigen3-dev nlohmann-json3-dev
   # ParaView with its VTK, its Python, the MPI its CMake package asks for, and mpirun
   libopenmpi-dev openmpi-bin paraview paraview-dev python3-paraview
