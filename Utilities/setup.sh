@@ -16,6 +16,13 @@
 # Uses sudo if you are not root. On other systems, install the equivalents of the packages below.
 set -euo pipefail
 
+usage()
+{
+  sed -n '/^# usage:/,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+}
+
+[ $# -le 1 ] || { usage >&2; exit 2; }
+
 release=$(. /etc/os-release 2>/dev/null && echo "${ID:-?} ${VERSION_CODENAME:-?}") ||
   release="unknown system"
 
@@ -67,10 +74,8 @@ case ${1:-} in
     ;;
   --docs) packages=(git "${documentation[@]}") ;;
   --benchmarks) packages+=(libbenchmark-dev libopen3d-dev libopenblas-dev libsuitesparse-dev) ;;
-  *)
-    echo "usage: Utilities/setup.sh [--plain-vtk | --packages | --system | --benchmarks | --checks | --docs]" >&2
-    exit 2
-    ;;
+  -h | --help) usage; exit 0 ;;
+  *) usage >&2; exit 2 ;;
 esac
 
 give_up()
