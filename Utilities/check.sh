@@ -57,7 +57,10 @@ if [ ${#missing[@]} -gt 0 ]; then
   echo "Nothing was checked, since tools are missing: ${missing[*]}. Utilities/setup.sh --checks installs them." >&2
   exit 1
 fi
-git rev-parse --git-dir >/dev/null || exit 1
+git rev-parse --git-dir >/dev/null 2>&1 || {
+  echo "This needs a clone made by git, not the source archive." >&2
+  exit 1
+}
 
 # files PATTERN... : puts the matching files of the repository, and new ones that git does not ignore, into the array
 # "found".

@@ -21,6 +21,10 @@ command -v mkdocs >/dev/null && [ -d /usr/share/mkdocs/themes/material ] || {
   echo "MkDocs or its theme Material is missing. Utilities/setup.sh --docs installs them." >&2
   exit 1
 }
+git -C "$project" rev-parse --git-dir >/dev/null 2>&1 || {
+  echo "This needs a clone made by git, not the source archive." >&2
+  exit 1
+}
 
 DOCS_SITE=$(realpath -m -- "${1:-$project/build/site}")
 # MkDocs empties the folder first, so accept only a folder that is empty or that MkDocs made.
