@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A tour of sphericalstyle.round, in cells for Jupyter, Visual Studio Code and Spyder, or as a script.
 
-    python3 tour.py MODEL [FOLDER]
+    python3 tour.py [MODEL [FOLDER]]
 
-It also runs in pvpython. Writes a picture for each cell to FOLDER (default: tour). Without a display: xvfb-run -a.
+It also runs in pvpython. Writes a picture for each cell to FOLDER (default: tour). Without MODEL it takes
+creature.vtp. Without a display: xvfb-run -a.
 """
 # %% A mesh of VTK. The other examples work with PyVista meshes, trimesh objects and arrays just as well.
 import pathlib
@@ -17,8 +18,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import sphericalstyle as ss
 from sphericalstyle.model_pictures import picture
 
-model = pathlib.Path(sys.argv[1])
-folder = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else "tour")
+arguments = [] if "ipykernel" in sys.modules else sys.argv[1:]  # those of Jupyter are not for us
+# The creature is in a folder above this one: where the examples are installed, or in Data/ of a clone.
+here = pathlib.Path(globals().get("__file__", "tour.py")).resolve()
+creatures = [place / name for place in here.parents for name in ("creature.vtp", "Data/creature.vtp")]
+creature = next((file for file in creatures if file.exists()), "Data/creature.vtp")
+model = pathlib.Path(arguments[0] if arguments else creature)
+folder = pathlib.Path(arguments[1] if len(arguments) > 1 else "tour")
 folder.mkdir(parents=True, exist_ok=True)
 mesh = ss.read(model)
 points = vtk_to_numpy(mesh.GetPoints().GetData())
