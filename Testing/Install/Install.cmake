@@ -1,14 +1,34 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# cmake -DBUILD=folder -DPREFIX=folder [-DUNINSTALL=ON] -P Install.cmake
+# cmake -DBUILD=folder -DPREFIX=folder [-DUNINSTALL=ON] [-DPVSERVER=file] [-DPVPYTHON=file] -P Install.cmake
 #
-# Installs into an empty PREFIX; with UNINSTALL also removes it again and fails if something is left. What
-# the user has installed from BUILD can still be uninstalled afterwards: CMake's list of it comes back.
+# Installs into a PREFIX that is empty but for these programs of ParaView; with UNINSTALL first without them, also
+# removes it again and fails if something is left. What the user has installed from BUILD can still be uninstalled
+# afterwards: CMake's list of it comes back.
 cmake_minimum_required(VERSION 3.22)
 
 function (run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction ()
+
+# ParaView looks beside its programs, so links to the plugin and the macros are installed there, and only there.
+function (copy_paraview)
+  if (PVSERVER)
+    file(MAKE_DIRECTORY "${PREFIX}/bin")
+    run("${CMAKE_COMMAND}" -E copy ${PVSERVER} ${PVPYTHON} "${PREFIX}/bin") # what links stand for
+  endif ()
+endfunction ()
+function (check_links)
+  file(GLOB links RELATIVE "${PREFIX}/bin" "${PREFIX}/bin/plugins/*" "${PREFIX}/bin/Macros/*.py")
+  list(LENGTH links count)
+  if (PVSERVER AND EXISTS "${PREFIX}/bin/pvserver")
+    if (NOT "plugins/SphericalStyle" IN_LIST links OR count LESS 2)
+      message(FATAL_ERROR "Links to the plugin and macros are missing beside ParaView's programs; there are: ${links}")
+    endif ()
+  elseif (links)
+    message(FATAL_ERROR "Without ParaView's programs nobody needs these links: ${links}")
+  endif ()
 endfunction ()
 
 set(manifest "${BUILD}/install_manifest.txt")
@@ -19,7 +39,11 @@ if (EXISTS "${manifest}")
 endif ()
 
 file(REMOVE_RECURSE "${PREFIX}")
+if (NOT UNINSTALL)
+  copy_paraview()
+endif ()
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${PREFIX}")
+check_links()
 if (UNINSTALL)
   # Python leaves byte code.
   file(GLOB_RECURSE init "${PREFIX}/__init__.py")
@@ -48,12 +72,15 @@ if (UNINSTALL)
   file(WRITE "${PREFIX}/lib/cmake/Other/OtherConfig.cmake" "")
   set(listed "${BUILD}/install_manifest_listed.txt")
   file(WRITE "${listed}" "${PREFIX}/lib/cmake/Other/OtherConfig.cmake")
+  copy_paraview()
+  file(GLOB_RECURSE others RELATIVE "${PREFIX}" "${PREFIX}/*")
   run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${PREFIX}")
+  check_links()
   run("${CMAKE_COMMAND}" -P "${BUILD}/uninstall.cmake")
   file(REMOVE "${listed}")
   file(GLOB_RECURSE left RELATIVE "${PREFIX}" "${PREFIX}/*")
-  if (NOT left STREQUAL "lib/cmake/Other/OtherConfig.cmake")
-    message(FATAL_ERROR "Should be left after uninstalling: lib/cmake/Other/OtherConfig.cmake; is: ${left}")
+  if (NOT left STREQUAL others)
+    message(FATAL_ERROR "Should be left after uninstalling: ${others}; is: ${left}")
   endif ()
 endif ()
 
