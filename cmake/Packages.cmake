@@ -60,6 +60,8 @@ set(CPACK_DEBIAN_DEV_DESCRIPTION
   "This package contains what C++ programs need to use the filters: headers and
 files for CMake's find_package(SphericalStyle).")
 set(dev_depends "sphericalstyle (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+set(vtk_range "(>= ${VTK_MAJOR_VERSION}.${VTK_MINOR_VERSION}), PACKAGE (<< ${VTK_MAJOR_VERSION}.${vtk_next_minor}~)")
+string(REPLACE PACKAGE libvtk9-dev vtk_dev "libvtk9-dev ${vtk_range}")
 if (SPHERICALSTYLE_WITH_PARAVIEW)
   set(range "(>= ${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}), PACKAGE (<< ${ParaView_VERSION_MAJOR}.${paraview_next_minor}~)")
   string(REPLACE PACKAGE python3-paraview run_depends "python3-paraview ${range}")
@@ -69,13 +71,13 @@ if (SPHERICALSTYLE_WITH_PARAVIEW)
   # VTK's CMake package looks for MPI; programs that render also need the recommended packages.
   set(dev_depends "${dev_depends}, ${paraview_dev}, libopenmpi-dev")
   if (NOT IS_DIRECTORY "${ParaView_DIR}/vtk")
-    string(APPEND dev_depends ", libvtk9-dev") # ParaView 6.1 uses the system's VTK
+    set(dev_depends "${dev_depends}, ${vtk_dev}") # ParaView 6.1 uses the system's VTK
   endif ()
   set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS
     "libfreetype-dev, libgl-dev, libglew-dev, libjpeg-dev, libopengl-dev, libpng-dev, libx11-dev, libxext-dev")
 else ()
-  set(run_depends python3-vtk9)
-  set(dev_depends "${dev_depends}, libvtk9-dev")
+  string(REPLACE PACKAGE python3-vtk9 run_depends "python3-vtk9 ${vtk_range}")
+  set(dev_depends "${dev_depends}, ${vtk_dev}")
 endif ()
 # The module is linked with VTK's library for this Python.
 math(EXPR python_next_minor "${Python3_VERSION_MINOR} + 1")

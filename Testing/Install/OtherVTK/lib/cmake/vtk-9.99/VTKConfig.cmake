@@ -1,0 +1,1 @@
+# Never read: the version does not fit.
