@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# cmake -DPREFIX=folder -DMODEL=file -DVERSION=version -P CommandLine.cmake
+# cmake -DPREFIX=folder -DMODEL=file -DVERSION=version -DPYTHON_FOLDER=folder -P CommandLine.cmake
 #
 # The installed program finds the installed package by itself and rounds a model; the manual page is there.
 cmake_minimum_required(VERSION 3.22)
@@ -18,9 +18,8 @@ if (NOT EXISTS "${result}")
   message(FATAL_ERROR "${result} was not written")
 endif ()
 file(REMOVE "${result}")
-foreach (file IN ITEMS share/man/man1/sphericalstyle.1 lib/python3/dist-packages/sphericalstyle/py.typed
-    lib/python3/dist-packages/sphericalstyle/__init__.pyi
-    lib/python3/dist-packages/sphericalstyle/SphericalStyleFilters.pyi)
+foreach (file IN ITEMS share/man/man1/sphericalstyle.1 ${PYTHON_FOLDER}/sphericalstyle/py.typed
+    ${PYTHON_FOLDER}/sphericalstyle/__init__.pyi ${PYTHON_FOLDER}/sphericalstyle/SphericalStyleFilters.pyi)
   if (NOT EXISTS "${PREFIX}/${file}")
     message(FATAL_ERROR "${PREFIX}/${file} was not installed")
   endif ()
