@@ -38,12 +38,20 @@ set(CPACK_COMPONENT_PYTHON_GROUP run)
 set(CPACK_COMPONENT_DEVELOPMENT_GROUP dev)
 
 # SHLIBDEPS finds the packages and versions of the libraries that our library links.
+set(run_depends)
 set(CPACK_DEBIAN_RUN_PACKAGE_NAME sphericalstyle)
 set(CPACK_DEBIAN_RUN_PACKAGE_SECTION graphics)
+set(contents "the library")
+if (SPHERICALSTYLE_WITH_PARAVIEW)
+  string(APPEND contents ", the plugin for ParaView")
+endif ()
+if (SPHERICALSTYLE_WRAP_PYTHON)
+  string(APPEND contents ", the Python package,\nthe program sphericalstyle")
+endif ()
 set(CPACK_DEBIAN_RUN_DESCRIPTION
   "The result ranges from slightly softened to a ball, with or without the details
-of the model. This package contains the plugin for ParaView, the Python package
-and the program sphericalstyle, and the library, built for ${sphericalstyle_built_for}.")
+of the model. Contents, built for ${sphericalstyle_built_for}:
+${contents}.")
 set(CPACK_DEBIAN_RUN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 # postinst and prerm create and remove Python's byte code; shlibs is for packages of programs that link the library.
@@ -64,7 +72,11 @@ set(vtk_range "(>= ${VTK_MAJOR_VERSION}.${VTK_MINOR_VERSION}), PACKAGE (<< ${VTK
 string(REPLACE PACKAGE libvtk9-dev vtk_dev "libvtk9-dev ${vtk_range}")
 if (SPHERICALSTYLE_WITH_PARAVIEW)
   set(range "(>= ${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}), PACKAGE (<< ${ParaView_VERSION_MAJOR}.${paraview_next_minor}~)")
-  string(REPLACE PACKAGE python3-paraview run_depends "python3-paraview ${range}")
+  if (SPHERICALSTYLE_WRAP_PYTHON)
+    string(REPLACE PACKAGE python3-paraview run_depends "python3-paraview ${range}")
+  else ()
+    string(REPLACE PACKAGE paraview run_depends "paraview ${range}")
+  endif ()
   set(CPACK_DEBIAN_RUN_PACKAGE_RECOMMENDS # without it ParaView's help is empty
     "libqt${PARAVIEW_QT_MAJOR_VERSION}sql${PARAVIEW_QT_MAJOR_VERSION}-sqlite")
   string(REPLACE PACKAGE paraview-dev paraview_dev "paraview-dev ${range}")
@@ -76,12 +88,17 @@ if (SPHERICALSTYLE_WITH_PARAVIEW)
   set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS
     "libfreetype-dev, libgl-dev, libglew-dev, libjpeg-dev, libopengl-dev, libpng-dev, libx11-dev, libxext-dev")
 else ()
-  string(REPLACE PACKAGE python3-vtk9 run_depends "python3-vtk9 ${vtk_range}")
+  if (SPHERICALSTYLE_WRAP_PYTHON)
+    string(REPLACE PACKAGE python3-vtk9 run_depends "python3-vtk9 ${vtk_range}")
+  endif ()
   set(dev_depends "${dev_depends}, ${vtk_dev}")
 endif ()
 # The module is linked with VTK's library for this Python.
-math(EXPR python_next_minor "${Python3_VERSION_MINOR} + 1")
-set(python3 "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${python_next_minor}~)")
-set(CPACK_DEBIAN_RUN_PACKAGE_DEPENDS "${python3}, python3-numpy, ${run_depends}")
+if (SPHERICALSTYLE_WRAP_PYTHON)
+  math(EXPR python_next_minor "${Python3_VERSION_MINOR} + 1")
+  set(python3 "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${python_next_minor}~)")
+  set(run_depends "${python3}, python3-numpy, ${run_depends}")
+endif ()
+set(CPACK_DEBIAN_RUN_PACKAGE_DEPENDS "${run_depends}") # and what SHLIBDEPS finds
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${dev_depends}")
 include(CPack)
