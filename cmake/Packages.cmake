@@ -10,8 +10,11 @@ string(STRIP "${license}" license)
 string(REPLACE "\n\n" "\n.\n" license "${license}")
 string(REPLACE "\n" "\n " license " ${license}") # lines of a field begin with a space, empty ones have a dot
 configure_file("${debian}/copyright.in" "${CMAKE_BINARY_DIR}/copyright" @ONLY)
-install(FILES "${CMAKE_BINARY_DIR}/copyright" CHANGELOG.md
+install(FILES "${CMAKE_BINARY_DIR}/copyright" CHANGELOG.md README.md
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/sphericalstyle" COMPONENT runtime)
+install(DIRECTORY Filters/Documentation # in the folder that links of the two files above name
+  DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/sphericalstyle/Filters" COMPONENT runtime
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN __pycache__ EXCLUDE)
 install(FILES "${CMAKE_BINARY_DIR}/copyright"
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/sphericalstyle-dev" COMPONENT development)
 
