@@ -45,6 +45,10 @@ pqHandleRows::pqHandleRows(
 
 void pqHandleRows::addHandle(double x, double y, double z)
 {
+  if (!this->isSelected())
+  {
+    return;
+  }
   const Place shown = { x, y, z };
   const Place place = this->placeOnModel(shown);
   const vtkSMPropertyHelper input(this->proxy(), "Input");

@@ -146,12 +146,14 @@ pqViewHandles::~pqViewHandles() = default;
 void pqViewHandles::select()
 {
   this->pqPropertyWidget::select();
+  this->updateVisibility();
   this->refreshSoon();
 }
 
 void pqViewHandles::deselect()
 {
   this->pqPropertyWidget::deselect();
+  this->updateVisibility();
   this->refresh();
 }
 
@@ -164,6 +166,7 @@ void pqViewHandles::setView(pqView* newView)
     {
       handle->addTo(newView);
     }
+    this->updateVisibility();
     this->refreshSoon();
   }
 }
@@ -171,12 +174,14 @@ void pqViewHandles::setView(pqView* newView)
 void pqViewHandles::showEvent(QShowEvent* event)
 {
   this->pqPropertyWidget::showEvent(event);
+  this->updateVisibility();
   this->refreshSoon();
 }
 
 void pqViewHandles::hideEvent(QHideEvent* event)
 {
   this->pqPropertyWidget::hideEvent(event);
+  this->updateVisibility();
   this->refresh();
 }
 
@@ -210,10 +215,19 @@ void pqViewHandles::refreshSoon()
   this->Timer.start();
 }
 
+bool pqViewHandles::isInUse() const
+{
+  return this->isSelected() && this->isVisible() && this->view() != nullptr;
+}
+
+void pqViewHandles::updateVisibility()
+{
+  Q_EMIT this->widgetVisibilityUpdated(this->isInUse());
+}
+
 void pqViewHandles::refresh()
 {
-  const bool wanted = this->isSelected() && this->isVisible() && this->view() != nullptr;
-  const std::vector<Place> places = wanted ? this->places() : std::vector<Place>();
+  const std::vector<Place> places = this->isInUse() ? this->places() : std::vector<Place>();
   bool changed = false;
   if (!this->Dragged && this->Handles.size() > places.size())
   {

@@ -5,7 +5,8 @@
 /// their own in the panel. Base of widgets of groups. The handles are there while the filter is
 /// selected, the widget is shown and the filter was applied once; nothing hides them.
 ///
-/// The signals are those that pqUpdateWhileDragging follows.
+/// The first three signals are those that pqUpdateWhileDragging follows. ParaView enables keys of
+/// the widget, which other widgets may have too, with the last one.
 #ifndef pqViewHandles_h
 #define pqViewHandles_h
 
@@ -47,6 +48,7 @@ Q_SIGNALS:
   void startInteraction();
   void interaction();
   void endInteraction();
+  void widgetVisibilityUpdated(bool visible);
 
 protected:
   vtkSMProperty* numbers() const { return this->Numbers; }
@@ -64,6 +66,8 @@ protected:
 private:
   class Handle;
 
+  bool isInUse() const;
+  void updateVisibility();
   void refresh();
   void dragged(Handle* handle, unsigned long event);
 

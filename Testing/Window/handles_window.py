@@ -119,18 +119,32 @@ def put_down(posed):
     yield from until(lambda: pressed)
     interactor.RemoveObserver(observer)
     subprocess.run(["xdotool", "key", "p"], check=True)
-
-    def shown():
-        helper = servermanager.vtkSMPropertyHelper(posed.SMProxy, "Handle")
-        helper.SetUseUnchecked(True)
-        return helper
-
-    yield from until(lambda: shown().GetNumberOfElements() == 30)
-    helper = shown()
-    row = numpy.array([helper.GetAsDouble(20 + k) for k in range(10)])
+    yield from until(lambda: len(shown_numbers(posed)) == 30)
+    row = shown_numbers(posed)[20:]
     assert abs(row[:3] - [0.25, 0.0, 0.25]).max() < 0.05, ("not the point under the mouse", row)
     assert abs(row[4:7] - row[:3] - [0.0, 1.0, 0.0]).max() < 1e-6, ("not where that point is on the model", row)
     assert abs(row[3] - 0.05 * (16 + 0.5) ** 0.5) < 1e-6 and not row[7:].any(), row
+    yield from put_down_of_two(posed)
+
+
+def put_down_of_two(posed):
+    """Of two filters that have the key P it goes to the one that is selected, however often that changes."""
+    other = simple.HandleDeform(Input=posed.Input)
+    for selected in (other, posed):
+        simple.SetActiveSource(selected)
+        for _ in range(4):
+            yield
+    subprocess.run(["xdotool", "key", "p"], check=True)
+    yield from until(lambda: [len(shown_numbers(filter_)) for filter_ in (posed, other)] != [30, 0])
+    assert len(shown_numbers(other)) == 0, "P puts the handle into a filter that is not selected"
+    simple.Delete(other)
+
+
+def shown_numbers(posed):
+    """Those of the handles, as the panel shows them."""
+    helper = servermanager.vtkSMPropertyHelper(posed.SMProxy, "Handle")
+    helper.SetUseUnchecked(True)
+    return numpy.array([helper.GetAsDouble(k) for k in range(helper.GetNumberOfElements())])
 
 
 def lengths(ball):
