@@ -21,6 +21,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMSession.h"
 #include "vtkSMTrace.h"
 #include "vtkSMViewProxy.h"
 
@@ -80,7 +81,7 @@ pqUpdateWhileDragging::pqUpdateWhileDragging(vtkPVXMLElement* xml, pqPropertyWid
   , Messages(vtkSmartPointer<HeldMessages>::New())
 {
   this->Timer.setSingleShot(true);
-  this->connect(&this->Timer, SIGNAL(timeout()), SLOT(update()));
+  this->connect(&this->Timer, SIGNAL(timeout()), SLOT(updateOnTime()));
   this->connect(widget, SIGNAL(startInteraction()), SLOT(start()));
   this->connect(widget, SIGNAL(interaction()), SLOT(follow()));
   this->connect(widget, SIGNAL(endInteraction()), SLOT(finish()));
@@ -147,24 +148,38 @@ void pqUpdateWhileDragging::follow()
 
 void pqUpdateWhileDragging::finish()
 {
-  if (!this->Dragging)
+  if (this->Dragging)
   {
+    // Not at once: the widget's end of the change, which lights up Apply, comes after this signal.
+    this->Released = true;
+    this->Timer.start(0);
+  }
+}
+
+void pqUpdateWhileDragging::updateOnTime()
+{
+  vtkSMProxy* filter = this->parentWidget()->proxy();
+  if (filter->GetSession()->GetPendingProgress())
+  {
+    // From 6.1 on ParaView handles events in the middle of an execution: after it, as pqView does.
+    this->Timer.start(10);
     return;
   }
-  // Not at once: the widget's end of the change, which lights up Apply, comes after this signal.
-  QTimer::singleShot(0, this,
-    [this]
-    {
-      this->Previews = false;
-      this->update();
-      this->close();
-      pqApplicationCore::instance()->render(); // what shows the result elsewhere, such as charts
-    });
+  if (!this->Released)
+  {
+    this->update();
+    return;
+  }
+  this->Previews = false;
+  this->update();
+  this->close();
+  pqApplicationCore::instance()->render(); // what shows the result elsewhere, such as charts
 }
 
 void pqUpdateWhileDragging::close()
 {
   this->Timer.stop();
+  this->Released = false;
   this->Previews = false;
   if (this->Interactor)
   {

@@ -47,7 +47,7 @@ private Q_SLOTS:
   void start();
   void follow();
   void finish();
-  void update();
+  void updateOnTime();
 
 private:
   class HeldMessages;
@@ -56,12 +56,14 @@ private:
   bool isWanted() const;
   void watchRenderings();
   bool rendersSoon(vtkObject*, unsigned long, void*);
+  void update();
   void setPreview(bool on);
   void close();
 
   pqSettingCheckBox* CheckBox = nullptr;
   QTimer Timer;
   bool Dragging = false; // and an undo set is open
+  bool Released = false; // the next update is the last one
   bool Previews = false; // the next update does
   int SlowUpdates = 0;   // in a row
   vtkSmartPointer<HeldMessages> Messages;
