@@ -14,6 +14,7 @@
 #include "pqView.h"
 #include "pqViewHandles.h"
 #include "vtkCommand.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 #include "vtkPVGeneralSettings.h"
@@ -22,7 +23,9 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSession.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMTrace.h"
+#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMViewProxy.h"
 
 #include <QByteArrayList>
@@ -172,6 +175,9 @@ void pqUpdateWhileDragging::updateOnTime()
   }
   this->Previews = false;
   this->update();
+  // As after Apply: each color map knows whether its range follows.
+  vtkNew<vtkSMTransferFunctionManager>()->ResetAllTransferFunctionRangesUsingCurrentData(
+    filter->GetSessionProxyManager(), false);
   this->close();
   pqApplicationCore::instance()->render(); // what shows the result elsewhere, such as charts
 }

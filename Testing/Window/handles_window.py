@@ -69,7 +69,8 @@ def handles(bar):
     """Two handles, at the ends of a bar; the one on the right is dragged up."""
     posed = simple.HandleDeform(Input=bar)
     posed.Handle = [-2, 0, 0, 0.5, -2, 0, 0, 0, 0, 0, 2, 0, 0, 0.5, 2, 0, 0, 0, 0, 0]
-    simple.Show(posed, view)
+    display = simple.Show(posed, view)
+    simple.ColorBy(display, ("POINTS", "Displacement"))
     simple.Hide(bar, view)
     simple.SetActiveSource(posed)
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, 0, 12], [0, 0, 0], [0, 1, 0]
@@ -91,6 +92,9 @@ def handles(bar):
     assert abs(rows[0, 4:7] - [-2, 0, 0]).max() == 0.0, ("the other one has moved", rows)
     top = posed.GetDataInformation().GetBounds()[3]
     assert abs(top - rows[1, 5] - 0.25) < 1e-5, ("what it holds does not go where it is put", top, rows)
+    largest = posed.PointData["Displacement"].GetRange(-1)[1]
+    colored = simple.GetColorTransferFunction("Displacement").RGBPoints[-4]
+    assert abs(colored - largest) < 1e-5, ("the colors end elsewhere", colored, largest)
     assert undo.GetUndoSetLabel(0) == "Drag", "Fetch leaves changes of its own, but only in the drag"
     undo.Undo()
     yield
