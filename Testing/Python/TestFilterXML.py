@@ -218,6 +218,9 @@ for owner in list(elements.values()) + proxy.findall("PropertyGroup"):
     if owner.get("panel_widget", "").startswith("Interactive"):
         check(owner.find("Hints/PropertyWidgetDecorator[@type='UpdateWhileDragging']") is not None,
               f"{owner.get('label')}: the model does not follow the handle")
+    if owner.get("panel_widget") == "InteractiveHandle":
+        check(owner.find("Hints/PropertyWidgetDecorator[@type='AlwaysInFront']") is not None,
+              f"{owner.get('label')}: the model hides the handle")
     for decorator in owner.findall("Hints//PropertyWidgetDecorator"):
         check_decorator(owner.get("name") or owner.get("label"), decorator)
 fitted = [e for e in elements.values() if e.find("Hints/PropertyWidgetDecorator[@type='FitToPanel']") is not None]
