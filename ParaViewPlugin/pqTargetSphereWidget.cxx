@@ -13,6 +13,7 @@
 #include "pqUndoStack.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
+#include "vtkPVDataInformation.h"
 #include "vtkSMParaViewPipelineController.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
@@ -150,13 +151,22 @@ void pqTargetSphereWidget::updateStatement()
   this->Statement->setFont(font);
 }
 
+/// Whether there is a sphere: of a failed execution there is none, and its center and radius are
+/// those of a new filter.
+bool pqTargetSphereWidget::hasResult() const
+{
+  auto* source = vtkSMSourceProxy::SafeDownCast(this->proxy());
+  return pqExecutedSourceOf(source) &&
+    source->GetDataInformation(source->GetOutputPortIndex("Target Sphere"))->GetNumberOfPoints() >
+    0;
+}
+
 void pqTargetSphereWidget::startCustom(vtkObject* mode, unsigned long, void*)
 {
   vtkSMPropertyHelper applied(static_cast<vtkSMProperty*>(mode));
   vtkSMPropertyHelper chosen(static_cast<vtkSMProperty*>(mode));
   chosen.SetUseUnchecked(true);
-  if (!pqExecutedSourceOf(this->proxy()) || applied.GetAsInt() == Custom ||
-    chosen.GetAsInt() != Custom)
+  if (!this->hasResult() || applied.GetAsInt() == Custom || chosen.GetAsInt() != Custom)
   {
     return;
   }

@@ -48,6 +48,7 @@ private Q_SLOTS:
 
 private:
   void updateStatement();
+  bool hasResult() const;
   void startCustom(vtkObject* mode, unsigned long, void*);
   bool isSphereWanted() const;
   void makeSphere();

@@ -12,6 +12,7 @@ import traceback
 import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLogger
 
 view = simple.GetActiveViewOrCreate("RenderView")
 undo = servermanager.vtkSMProxyManager.GetProxyManager().GetUndoStackBuilder().GetUndoStack()
@@ -176,9 +177,9 @@ def put_down_of_two(posed):
     simple.Delete(other)
 
 
-def shown_numbers(posed):
-    """Those of the handles, as the panel shows them."""
-    helper = servermanager.vtkSMPropertyHelper(posed.SMProxy, "Handle")
+def shown_numbers(proxy, name="Handle"):
+    """As the panel shows them."""
+    helper = servermanager.vtkSMPropertyHelper(proxy.SMProxy, name)
     helper.SetUseUnchecked(True)
     return numpy.array([helper.GetAsDouble(k) for k in range(helper.GetNumberOfElements())])
 
@@ -254,11 +255,28 @@ def right_button(place):
     yield
 
 
+def custom_after_failure(image):
+    """An image is no surface: there is no center that a custom one could begin with, so it stays as it is."""
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # that it fails is wanted
+    style = simple.SphericalStyle(Input=image, Center=[1.0, 2.0, 3.0], Radius=4.0)
+    simple.Show(style, view)
+    simple.SetActiveSource(style)
+    for _ in range(4):
+        yield
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
+    for mode, name, shown in (("CenterMode", "Center", [1.0, 2.0, 3.0]), ("RadiusMode", "Radius", [4.0])):
+        helper = servermanager.vtkSMPropertyHelper(style.SMProxy, mode)
+        helper.SetUseUnchecked(True)
+        helper.Set(2)
+        assert shown_numbers(style, name).tolist() == shown, (name, shown_numbers(style, name))
+
+
 def steps():
     box = simple.Box(XLength=4.0, YLength=0.5, ZLength=0.5)
     bar = simple.Subdivide(Input=simple.Triangulate(Input=box), NumberofSubdivisions=4)
     yield from handles(bar)
     yield from lengths(simple.Sphere(ThetaResolution=48, PhiResolution=48, Radius=1.0))
+    yield from custom_after_failure(simple.Wavelet())
 
 
 run = steps()
