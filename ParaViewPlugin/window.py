@@ -22,8 +22,9 @@ def find_style(source=None):
     source = source or simple.GetActiveSource()
     if source is None:
         raise RuntimeError("Spherical Style: open a model, or select one in the pipeline browser, first")
-    source = getattr(source, "Proxy", None) if source.__class__.__name__ == "OutputPort" else source
-    return source if source.GetXMLName() == "SphericalStyleFilter" else simple.SphericalStyle(Input=source)
+    if source.GetXMLName() == "SphericalStyleFilter":
+        return simple.OutputPort(source, 0)  # another one may be selected
+    return simple.SphericalStyle(Input=source)
 
 
 def _render_view():
@@ -57,10 +58,13 @@ def apply_preset(name, source=None):
 def show_energy_chart(source=None):
     """Energy over the iterations, in a chart beside the active view. @return the chart's view
 
-    A result in closed form minimizes nothing: the chart is then empty, and its title says so."""
+    A result in closed form minimizes nothing: the chart is then empty, and its title says so.
+    @raise RuntimeError where the filter has no result"""
     style = find_style(source)
     view = _render_view()
     _show(style, view)
+    if style.GetDataInformation(0).GetNumberOfPoints() == 0:
+        raise RuntimeError("Spherical Style: the filter has no result; its panel says why")
     chart = simple.CreateView("XYChartView")
     rows = style.GetDataInformation(1).GetNumberOfRows()
     chart.ChartTitle = "Energy" if rows > 1 else "Energy: no iteration" if rows == 1 else \

@@ -11,6 +11,7 @@ import sys
 
 import ProxyTesting
 from paraview.simple import *
+from vtkmodules.vtkCommonCore import vtkLogger
 
 from sphericalstyle import presets, window
 
@@ -23,6 +24,13 @@ def run(name):
     """As ParaView runs it: as the main program."""
     with open(os.path.join(macros, f"Spherical Style {name}.py")) as file:
         exec(compile(file.read(), name, "exec"), {"__name__": "__main__"})
+
+
+def select_port(index):
+    """As the pipeline browser does it. The filter of the port is meant."""
+    model = servermanager.ProxyManager().GetSelectionModel("ActiveSources")
+    model.SetCurrentProxy(style.SMProxy.GetOutputPort(index), model.CLEAR_AND_SELECT)
+    assert GetActiveSource().Port == index
 
 
 try:
@@ -75,13 +83,32 @@ assert display.XArrayName == "Iteration" and display.Visibility == 1
 assert list(display.SeriesVisibility) == ["Total", "Rigid", "Spherical"], list(display.SeriesVisibility)
 assert GetLayout(chart) == GetLayout(view) and GetActiveView() == view
 
+Delete(chart)
+Hide(style, view)
+select_port(1)
+run("Energy Chart")
+assert len(GetSources()) == 2 and GetRepresentation(style, view).Visibility == 1
+count = len(GetViews())
+style.Roundness = float("nan")
+vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # that it fails is wanted
+style.UpdatePipeline()
+vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
+try:
+    window.show_energy_chart(style)
+    raise SystemExit("there is no result")
+except RuntimeError as error:
+    assert "no result" in str(error) and len(GetViews()) == count, error
+style.Roundness = 1.0
+
 # ---------------------------------------------------------------------------------- before and after
+select_port(2)
 count = len(GetViews())
 run("Before and After")
 assert len(GetViews()) == count + 2 and len(GetSources()) == 2
 after = GetActiveView()
 before, = (v for v in GetViewsInLayout(GetLayout(after)) if v != after)
 assert GetRepresentation(model, before).Visibility == 1 and GetRepresentation(style, after).Visibility == 1
+assert [shown.Input.Port for shown in after.Representations] == [0]
 before.CameraPosition = [1.0, 2.0, 3.0]
 Render(before)  # the link follows it
 assert list(after.CameraPosition) == [1.0, 2.0, 3.0], list(after.CameraPosition)
