@@ -500,14 +500,18 @@ void pqLook::refresh()
 void pqLook::fitColors()
 {
   vtkSMPVRepresentationProxy* display = this->result();
+  const QByteArray array =
+    display ? pqColors::get(display, this->view()->getViewProxy()).Array : QByteArray();
+  // Where ParaView sets another array, the color map is still that of the array before.
   const bool isLogarithmic = std::any_of(this->Colors.begin(), this->Colors.end(),
-    [](const Color& color) { return color.IsLogarithmic && color.Button->isChecked(); });
-  if (display && isLogarithmic && display->GetUsingScalarColoring())
+    [&](const Color& color)
+    { return color.IsLogarithmic && color.Button->isChecked() && color.Array == array; });
+  if (isLogarithmic)
   {
     SCOPED_UNDO_EXCLUDE();
     display->RescaleTransferFunctionToDataRange();
   }
-  if (display && this->Names.contains(pqColors::get(display, this->view()->getViewProxy()).Array))
+  if (this->Names.contains(array))
   {
     SCOPED_UNDO_EXCLUDE();
     pqColors::nameNumbers(display, false);
