@@ -52,6 +52,9 @@ public:
   void apply() override;
   bool eventFilter(QObject* messageDock, QEvent* event) override;
 
+  /// The messages so far are of an execution that has ended, also where they came after it.
+  void end();
+
 private:
   class Visibility;
 
@@ -59,7 +62,6 @@ private:
   void hear(vtkObject* window, unsigned long event, void* text);
   void hearPipeline(vtkObject* executive, unsigned long event, void* text);
   void begin();
-  void end();
   void updateLater();
   void updateText();
   QString problemOfInput() const;

@@ -6,6 +6,7 @@
 #include "pqApplicationCore.h"
 #include "pqInteractivePropertyWidgetAbstract.h"
 #include "pqPipelineSource.h"
+#include "pqProblem.h"
 #include "pqProxyWidget.h"
 #include "pqServerManagerModel.h"
 #include "pqSettingCheckBox.h"
@@ -198,6 +199,14 @@ void pqUpdateWhileDragging::close()
     this->Dragging = false;
     END_UNDO_SET();
     this->Messages->Give();
+    const QWidget* widget = this->parentWidget();
+    if (const auto* panel = widget ? pqAncestor<pqProxyWidget>(widget) : nullptr)
+    {
+      for (pqProblem* problem : panel->findChildren<pqProblem*>())
+      {
+        problem->end();
+      }
+    }
   }
 }
 
