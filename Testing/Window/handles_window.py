@@ -2,17 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs in ParaView's window: drags handles of Handle Deform, and the lengths of a target of Spherical Style, by mouse
 events, and looks at what the model does meanwhile and afterward. Prints "dragged" at the end, or an error, and ends
-the window. A step begins when the window has done what came of the one before."""
+the window."""
 import ctypes
-import os
 import shutil
 import subprocess
-import traceback
 
 import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLogger
+from window_steps import play, settle
 
 view = simple.GetActiveViewOrCreate("RenderView")
 undo = servermanager.vtkSMProxyManager.GetProxyManager().GetUndoStackBuilder().GetUndoStack()
@@ -62,8 +61,7 @@ def drag(begin, end):
     yield
     yield "down"
     mouse("LeftButtonReleaseEvent", end)
-    for _ in range(4):
-        yield
+    yield from settle()
 
 
 def handles(bar):
@@ -76,8 +74,7 @@ def handles(bar):
     simple.SetActiveSource(posed)
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, 0, 12], [0, 0, 0], [0, 1, 0]
     simple.Render(view)
-    for _ in range(4):
-        yield
+    yield from settle()
     before = points(posed)
     right = before[:, 0] > 1.9
     begin = to_screen([2, 0, 0])
@@ -130,8 +127,7 @@ def let_go_meanwhile(posed):
     observer = filter_.AddObserver("ProgressEvent", let_go)
     mouse("MouseMoveEvent", [round(0.5 * (a + b)) for a, b in zip(begin, end)])
     yield from until(lambda: done)
-    for _ in range(4):
-        yield
+    yield from settle()
     place, top = values(posed, "Handle")[15], posed.GetDataInformation().GetBounds()[3]
     assert abs(place - 1.0) < 0.05 and abs(top - place - 0.25) < 1e-5, ("not where it was let go", place, top)
 
@@ -169,8 +165,7 @@ def put_down_of_two(posed):
     other = simple.HandleDeform(Input=posed.Input)
     for selected in (other, posed):
         simple.SetActiveSource(selected)
-        for _ in range(4):
-            yield
+        yield from settle()
     subprocess.run(["xdotool", "key", "p"], check=True)
     yield from until(lambda: [len(shown_numbers(filter_)) for filter_ in (posed, other)] != [30, 0])
     assert len(shown_numbers(other)) == 0, "P puts the handle into a filter that is not selected"
@@ -192,8 +187,7 @@ def lengths(ball):
     simple.SetActiveSource(style)
     view.CameraPosition, view.CameraFocalPoint = [0, 0, 8], [0, 0, 0]
     simple.Render(view)
-    for _ in range(4):
-        yield
+    yield from settle()
     before = points(style)
     extent = shape(style)
     begin = to_screen([0.5 * extent[0], 0, 0])
@@ -211,8 +205,7 @@ def lengths(ball):
     given = values(style, "TargetLengths")
     style.Target = "Sphere"
     simple.Render(view)
-    for _ in range(4):
-        yield
+    yield from settle()
     there = to_screen([0.5 * shape(style)[0], 0, 0])
     for _ in drag(there, end):
         yield
@@ -261,8 +254,7 @@ def custom_after_failure(image):
     style = simple.SphericalStyle(Input=image, Center=[1.0, 2.0, 3.0], Radius=4.0)
     simple.Show(style, view)
     simple.SetActiveSource(style)
-    for _ in range(4):
-        yield
+    yield from settle()
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
     for mode, name, shown in (("CenterMode", "Center", [1.0, 2.0, 3.0]), ("RadiusMode", "Radius", [4.0])):
         helper = servermanager.vtkSMPropertyHelper(style.SMProxy, mode)
@@ -279,23 +271,4 @@ def steps():
     yield from custom_after_failure(simple.Wavelet())
 
 
-run = steps()
-
-
-def step(interactor, _):
-    """Next one; the window handles its own events before the next tick."""
-    try:
-        next(run)
-        return
-    except StopIteration:
-        outcome = "dragged"
-    except BaseException:  # also AssertionError
-        outcome = traceback.format_exc() + "ERROR: see above"
-    os.write(1, f"{outcome}\n".encode())  # print is buffered by ParaView, and _exit drops that
-    os._exit(0 if outcome == "dragged" else 1)
-
-
-interactor = view.GetInteractor()
-simple.Render(view)
-observer = interactor.AddObserver("TimerEvent", step)
-interactor.CreateRepeatingTimer(150)
+play(steps(), view, "dragged")

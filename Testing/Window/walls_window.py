@@ -1,19 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs in ParaView's window: colors the result of Printable by the thickness of its walls, and then by another array.
-Prints "colored" at the end, or an error, and ends the window. A step begins when the window has done what came of the
-one before."""
-import os
-import traceback
-
+Prints "colored" at the end, or an error, and ends the window."""
 from paraview import simple
+from window_steps import play, settle
 
 view = simple.GetActiveViewOrCreate("RenderView")
-
-
-def settle():
-    for _ in range(4):
-        yield
 
 
 def steps():
@@ -32,23 +24,4 @@ def steps():
     assert after == before, ("another array changes the colors of the walls", before, after)
 
 
-run = steps()
-
-
-def step(*_):
-    """Next one; the window handles its own events before the next tick."""
-    try:
-        next(run)
-        return
-    except StopIteration:
-        outcome = "colored"
-    except BaseException:  # also AssertionError
-        outcome = traceback.format_exc() + "ERROR: see above"
-    os.write(1, f"{outcome}\n".encode())  # print is buffered by ParaView, and _exit drops that
-    os._exit(0 if outcome == "colored" else 1)
-
-
-interactor = view.GetInteractor()
-simple.Render(view)
-observer = interactor.AddObserver("TimerEvent", step)
-interactor.CreateRepeatingTimer(150)
+play(steps(), view, "colored")
