@@ -286,10 +286,7 @@ Stand FindStand(const TriangleMesh& mesh, const PrintableOptions& options)
     {
       break;
     }
-    if (options.onStep)
-    {
-      options.onStep();
-    }
+    options.onStep();
     Stand stand = GiveFoot(mesh, options, area);
     stand.isLarger = !isFirst;
     const bool isLargest = !stand.footRemark.empty();

@@ -27,7 +27,7 @@ struct PrintableOptions
   double volume = 0.0;          ///< of the result, length^3; 0: that of the mesh
   double height = 0.0;          ///< of the result, length; 0: as the volume says
   int threads = 1;
-  std::function<void()> onStep; ///< called before each step; what it throws ends all of it
+  std::function<void()> onStep = [] {}; ///< called before each step; what it throws ends all of it
 };
 
 /// What is measured before and after.

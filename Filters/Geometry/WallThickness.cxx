@@ -215,14 +215,6 @@ Eigen::VectorXd WantedMotions(
   return d;
 }
 
-void Call(const std::function<void()>& onStep)
-{
-  if (onStep)
-  {
-    onStep();
-  }
-}
-
 /// Moves points along their normals, less where that would make triangles run through each other.
 /// @param before  triangles that do so already @param stuck  gets points that had no room
 void MoveOutward(TriangleMesh& mesh, Eigen::VectorXd d, const std::vector<char>& before,
@@ -232,7 +224,7 @@ void MoveOutward(TriangleMesh& mesh, Eigen::VectorXd d, const std::vector<char>&
   const Points normals = SmoothNormals(mesh, d.maxCoeff());
   for (int k = 0;; ++k)
   {
-    Call(onStep);
+    onStep();
     mesh.P = start + (normals.array().colwise() * d.array()).matrix();
     // At most half way down to the ground, and on it aside alone.
     const auto lowest = 0.5 * (start.col(ground.axis).array() + ground.level);
@@ -314,7 +306,7 @@ Points ThickenWalls(const TriangleMesh& mesh, double thickness, int threads, con
   double missing = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < Passes; ++pass)
   {
-    Call(onStep);
+    onStep();
     const double wanted = (1.0 + WallSurplus) * thickness;
     const Walls walls = FindWalls(thick, threads, wanted);
     const double stillMissing = (thickness - walls.thickness.array().min(thickness)).sum();

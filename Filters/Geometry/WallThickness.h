@@ -46,8 +46,9 @@ struct Ground
 /// @param thickness  length, above 0
 /// @param onStep  called before each step; what it throws ends all of it
 /// @return the points; those of the mesh, to the bit, where nothing is thinner
-Points ThickenWalls(const TriangleMesh& mesh, double thickness, int threads,
-  const Ground& ground = {}, const std::function<void()>& onStep = {});
+Points ThickenWalls(
+  const TriangleMesh& mesh, double thickness, int threads, const Ground& ground = {},
+  const std::function<void()>& onStep = [] {});
 } // namespace SphericalStyle
 
 #endif
