@@ -15,7 +15,12 @@ MeshChange SolverMesh::Compare(const TriangleMesh& mesh) const
     throw std::invalid_argument("the mesh has no triangle");
   }
   const TriangleMesh* given = this->Given.get();
-  if (given && *given == mesh)
+  if (given == &mesh)
+  {
+    return MeshChange::Nothing;
+  }
+  const bool sameTriangles = given && HaveSameTriangles(*given, mesh);
+  if (sameTriangles && given->P == mesh.P)
   {
     return MeshChange::Nothing;
   }
@@ -23,7 +28,7 @@ MeshChange SolverMesh::Compare(const TriangleMesh& mesh) const
   {
     throw std::invalid_argument("a point is not finite");
   }
-  return given && HaveSameTriangles(*given, mesh) ? MeshChange::Points : MeshChange::Triangles;
+  return sameTriangles ? MeshChange::Points : MeshChange::Triangles;
 }
 
 void SolverMesh::Set(std::shared_ptr<const TriangleMesh> mesh, MeshChange change)
