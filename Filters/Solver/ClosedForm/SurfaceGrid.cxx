@@ -276,8 +276,8 @@ private:
 
   std::vector<std::size_t> Merge(std::vector<SampleSums>& sums) const;
   void TakeSums(const std::vector<SampleSums>& sums, std::size_t cells);
-  void Cut(int triangle, Parts& parts) const;
-  void CutEvenly(int triangle, int n, Parts& parts) const;
+  void Cut(int triangle, Parts& parts);
+  void CutEvenly(int triangle, int n, Parts& parts);
   bool AreTooMany() const { return this->NumberOfCutParts > MostCutParts; }
   /// @param cell  number among the active ones
   void SumCell(int cell, const Part* begin, const Part* end, Samples& samples) const;
@@ -292,7 +292,7 @@ private:
   int Threads;
   std::vector<Parts> Tasks;
   /// Of cut triangles, by all tasks. Once they are too many, nothing more is cut.
-  mutable std::atomic<std::size_t> NumberOfCutParts{ 0 };
+  std::atomic<std::size_t> NumberOfCutParts{ 0 };
 };
 
 struct SurfaceGrid::Splatter::Samples
@@ -306,7 +306,7 @@ struct SurfaceGrid::Splatter::Samples
   std::vector<Part> sorted;
 };
 
-void SurfaceGrid::Splatter::CutEvenly(int triangle, int n, Parts& parts) const
+void SurfaceGrid::Splatter::CutEvenly(int triangle, int n, Parts& parts)
 {
   const std::size_t first = parts.parts.size();
   std::unordered_map<std::int64_t, std::size_t> numbers; // of its parts, where they are many
@@ -370,7 +370,7 @@ void SurfaceGrid::Splatter::CutEvenly(int triangle, int n, Parts& parts) const
   }
 }
 
-void SurfaceGrid::Splatter::Cut(int triangle, Parts& parts) const
+void SurfaceGrid::Splatter::Cut(int triangle, Parts& parts)
 {
   const auto corners = this->F.row(triangle);
   const Eigen::RowVector3d a = this->P.row(corners(0));
