@@ -268,15 +268,14 @@ def _plan_folder(parser, arguments, inputs, output):
 def round_one(job, keywords, view=0.0, progress=None):
     """Rounds one model. Returns its line of the table, with what a report has besides."""
     start = time.perf_counter()
+    keywords = {"up_axis": up_axis_of(job.source)} | keywords
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         surface = read(job.source)
-    target = place_in(job.folder, job.target) if job.folder else job.target
-    keywords = {"up_axis": up_axis_of(job.source)} | keywords
-    style, messages = execute(surface, progress=progress, **keywords)
-    result = style.GetOutput()
-    with warnings.catch_warnings(record=True) as more:
-        warnings.simplefilter("always")
+        target = place_in(job.folder, job.target) if job.folder else job.target
+        style, messages = execute(surface, progress=progress, **keywords)
+        messages.warn()
+        result = style.GetOutput()
         if job.slider:
             write_slider(target, job.source if is_gltf(job.source) else surface, **keywords)
         else:
@@ -284,8 +283,6 @@ def round_one(job, keywords, view=0.0, progress=None):
         if job.page:
             job.page.parent.mkdir(parents=True, exist_ok=True)
             write_page(job.page, surface, title=job.source.stem, **keywords)
-    messages.warnings = list(dict.fromkeys([str(warning.message) for warning in told] + messages.warnings
-                                           + [str(warning.message) for warning in more]))
     if job.picture:
         from .model_pictures import before_after  # the program starts without OpenGL
 
@@ -296,7 +293,7 @@ def round_one(job, keywords, view=0.0, progress=None):
             "new points": result.GetNumberOfPoints() - surface.GetNumberOfPoints(),
             "largest move": f"{largest_move(result):.4g}",
             "seconds": f"{time.perf_counter() - start:.2f}", "result": "rounded", "output": str(target),
-            "warnings": messages.warnings, "advice": style.GetAdvice() or "",
+            "warnings": list(dict.fromkeys(str(warning.message) for warning in told)), "advice": style.GetAdvice() or "",
             "up_axis": "XYZ"[style.GetUpAxis()], "center": list(style.GetEffectiveCenter()),
             "radius": style.GetEffectiveRadius()}
 
