@@ -3,12 +3,14 @@
 #include "ClosedSurface.h"
 
 #include "CGALVersion.h"
+#include "PlanarPolygons.h"
 #include "SurfaceMeasures.h"
 #include "SurfaceMesh.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/refine.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #if SPHERICALSTYLE_CGAL_6_2
@@ -21,7 +23,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
+#include <limits>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -38,9 +43,13 @@ using PMP::extract_boundary_cycles;
 
 using Triangle = std::array<std::size_t, 3>;
 using HalfEdge = SurfaceMesh::Halfedge_index;
+using Vertex = SurfaceMesh::Vertex_index;
+using Face = SurfaceMesh::Face_index;
 
 /// A triangle lower than this fraction of its longest edge has no angles to speak of.
 constexpr double LowestTriangle = 1e-8;
+/// How far a border may be from its plane, as a share of its extent, to be filled in the plane.
+constexpr double FarFromPlane = 1e-3;
 /// Longer borders are filled by CGAL's Delaunay search only: the full one takes n^3.
 constexpr std::size_t LongBorder = 300;
 
@@ -217,15 +226,20 @@ private:
   std::vector<std::vector<std::size_t>> Corners; ///< triangles at each point
 };
 
+Eigen::RowVector3d PlaceOf(const SurfaceMesh& surface, Vertex v)
+{
+  const Point3& p = surface.point(v);
+  return { p.x(), p.y(), p.z() };
+}
+
 /// A point in the middle, joined to every edge of the border. Never makes an edge that is there.
 void FillByFan(SurfaceMesh& surface, HalfEdge border)
 {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
   int count = 0;
-  for (const auto v : surface.vertices_around_face(border))
+  for (const Vertex v : surface.vertices_around_face(border))
   {
-    const Point3& p = surface.point(v);
-    sum += Eigen::Vector3d(p.x(), p.y(), p.z());
+    sum += PlaceOf(surface, v);
     ++count;
   }
   sum /= count;
@@ -234,23 +248,142 @@ void FillByFan(SurfaceMesh& surface, HalfEdge border)
   surface.point(surface.target(spoke)) = Point3(sum[0], sum[1], sum[2]);
 }
 
-void FillHole(SurfaceMesh& surface, HalfEdge border)
+/// Fills a hole whose border lies in a plane, about.
+/// @return the triangles; none where it does not, where it crosses itself in the plane, or where an
+/// edge is elsewhere already
+std::vector<Face> FillPlanarHole(SurfaceMesh& surface, HalfEdge border)
 {
-  std::vector<SurfaceMesh::Face_index> faces;
+  std::vector<Vertex> corners;
+  for (const Vertex v : surface.vertices_around_face(border))
+  {
+    corners.push_back(v);
+  }
+  const auto n = static_cast<int>(corners.size());
+  Points P(n, 3);
+  for (int i = 0; i < n; ++i)
+  {
+    P.row(i) = PlaceOf(surface, corners[i]);
+  }
+  const double extent = (P.colwise().maxCoeff() - P.colwise().minCoeff()).maxCoeff();
+  P.rowwise() -= P.colwise().mean().eval();
+  std::vector<std::array<int, 2>> edges;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (int i = 0; i < n; ++i)
+  {
+    const int next = (i + 1) % n;
+    edges.push_back({ i, next });
+    normal += P.row(i).cross(P.row(next));
+  }
+  normal.stableNormalize();
+  if (!((P * normal).cwiseAbs().maxCoeff() <= FarFromPlane * extent))
+  {
+    return {};
+  }
+  const Eigen::Vector3d x = normal.unitOrthogonal();
+  const Eigen::Vector3d y = normal.cross(x);
+  const auto placeOf = [&](int i) -> Eigen::Vector2d {
+    return { P.row(i).dot(x), P.row(i).dot(y) };
+  };
+  std::vector<std::array<int, 3>> triangles;
+  const auto isElsewhere = [&](int u, int v)
+  { return v != (u + 1) % n && surface.halfedge(corners[u], corners[v]).is_valid(); };
+  if (!FillPlanarPolygons(edges, placeOf, triangles) ||
+    std::any_of(triangles.begin(), triangles.end(),
+      [&](const std::array<int, 3>& t)
+      { return isElsewhere(t[0], t[1]) || isElsewhere(t[1], t[2]) || isElsewhere(t[2], t[0]); }))
+  {
+    return {};
+  }
+  std::vector<Face> faces;
+  for (const auto& [a, b, c] : triangles)
+  {
+    faces.push_back(surface.add_face(corners[a], corners[b], corners[c]));
+  }
+  return faces;
+}
+
+/// The points of a border, moved at random until the end of its life, by up to a hundredth of the
+/// way to the next ones: CGAL goes by addresses in memory between equal choices, of which there are
+/// many where four points lie in a plane.
+class MovedBorder
+{
+public:
+  MovedBorder(SurfaceMesh& surface, HalfEdge border)
+    : Surface(surface)
+  {
+    for (const Vertex v : surface.vertices_around_face(border))
+    {
+      this->Before.emplace_back(v, surface.point(v));
+    }
+    std::mt19937 engine; // the same numbers each time
+    const auto noise = [&engine] { return Noise * (engine() / 2147483648.0 - 1.0); };
+    for (std::size_t i = 0; i < this->Before.size(); ++i)
+    {
+      const auto& [v, p] = this->Before[i];
+      const double gap = this->GapAt(i);
+      const double by[] = { gap * noise(), gap * noise(), gap * noise() };
+      surface.point(v) = Point3(p.x() + by[0], p.y() + by[1], p.z() + by[2]);
+    }
+  }
+  MovedBorder(const MovedBorder&) = delete;
+  MovedBorder& operator=(const MovedBorder&) = delete;
+  ~MovedBorder()
+  {
+    for (const auto& [v, p] : this->Before)
+    {
+      this->Surface.point(v) = p;
+    }
+  }
+
+private:
+  static constexpr double Noise = 0.006; // along each axis
+
+  /// The way to the nearest of two points on each side.
+  double GapAt(std::size_t i) const
+  {
+    const std::size_t n = this->Before.size();
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t step : { std::size_t{ 1 }, std::size_t{ 2 }, n - 2, n - 1 })
+    {
+      least = std::min(
+        least, CGAL::squared_distance(this->Before[i].second, this->Before[(i + step) % n].second));
+    }
+    return std::sqrt(least);
+  }
+
+  SurfaceMesh& Surface;
+  std::vector<std::pair<Vertex, Point3>> Before;
+};
+
+/// Fills a hole of any shape. @return the triangles; none where CGAL finds none
+std::vector<Face> FillAnyHole(SurfaceMesh& surface, HalfEdge border)
+{
+  const MovedBorder moved(surface, border);
+  std::vector<Face> faces;
   const bool isLong = surface.vertices_around_face(border).size() > LongBorder;
   const auto parameters = PMP::parameters::do_not_use_cubic_algorithm(isLong);
 #if SPHERICALSTYLE_CGAL_6
-  PMP::triangulate_and_refine_hole(
+  PMP::triangulate_hole(
     surface, border, parameters.face_output_iterator(std::back_inserter(faces)));
 #else
-  std::vector<SurfaceMesh::Vertex_index> vertices;
-  PMP::triangulate_and_refine_hole(
-    surface, border, std::back_inserter(faces), std::back_inserter(vertices), parameters);
+  PMP::triangulate_hole(surface, border, std::back_inserter(faces), parameters);
 #endif
+  return faces;
+}
+
+void FillHole(SurfaceMesh& surface, HalfEdge border)
+{
+  std::vector<Face> faces = FillPlanarHole(surface, border);
+  if (faces.empty())
+  {
+    faces = FillAnyHole(surface, border);
+  }
   if (faces.empty())
   {
     FillByFan(surface, border);
+    return;
   }
+  PMP::refine(surface, faces, CGAL::Emptyset_iterator(), CGAL::Emptyset_iterator());
 }
 
 int FillBorders(SurfaceMesh& surface)

@@ -4,11 +4,7 @@
 
 #include "MeshEdges.h"
 #include "MeshTopology.h"
-#include "SurfaceMesh.h"
-
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include "PlanarPolygons.h"
 
 #include <Eigen/Geometry>
 
@@ -16,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <deque>
 #include <limits>
 #include <map>
 #include <unordered_map>
@@ -36,97 +31,6 @@ std::uint64_t Key(int u, int v)
 {
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(u)) << 32U) |
     static_cast<std::uint32_t>(v);
-}
-
-struct FaceInfo
-{
-  int depth = -1; // how many constraints are crossed on the way from outside
-};
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-using FaceBase = CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel,
-  CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-/// It throws where constraints cross each other.
-using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
-  CGAL::No_constraint_intersection_requiring_constructions_tag>;
-
-/// Of each face, whether an odd number of borders is around it.
-void MarkInside(Delaunay& triangulation)
-{
-  std::deque<std::pair<Delaunay::Face_handle, int>> next = { { triangulation.infinite_face(), 0 } };
-  while (!next.empty())
-  {
-    const auto [face, depth] = next.front();
-    next.pop_front();
-    if (face->info().depth >= 0)
-    {
-      continue;
-    }
-    face->info().depth = depth;
-    for (int k = 0; k < 3; ++k)
-    {
-      const bool crosses = face->is_constrained(k);
-      const auto place = std::make_pair(face->neighbor(k), depth + (crosses ? 1 : 0));
-      crosses ? next.push_back(place) : next.push_front(place);
-    }
-  }
-}
-
-/// Triangles inside of borders in a plane across the axis, facing down.
-/// @return false where the borders cross each other or pass through a point twice
-bool FillSection(const Points& P, int axis, const std::vector<std::array<int, 2>>& borders,
-  std::vector<std::array<int, 3>>& filling)
-{
-  Delaunay triangulation;
-  std::unordered_map<int, Delaunay::Vertex_handle> vertices;
-  const auto vertexOf = [&](int i)
-  {
-    const auto found = vertices.find(i);
-    if (found != vertices.end())
-    {
-      return found->second;
-    }
-    const std::size_t before = triangulation.number_of_vertices();
-    const auto vertex =
-      triangulation.insert(Kernel::Point_2(P(i, (axis + 1) % 3), P(i, (axis + 2) % 3)));
-    if (triangulation.number_of_vertices() > before)
-    {
-      vertex->info() = i;
-    }
-    vertices.emplace(i, vertex);
-    return vertex;
-  };
-  try
-  {
-    for (const auto& border : borders)
-    {
-      const auto u = vertexOf(border[0]);
-      const auto v = vertexOf(border[1]);
-      if (u->info() != border[0] || v->info() != border[1])
-      {
-        return false;
-      }
-      triangulation.insert_constraint(u, v);
-    }
-  }
-  catch (const Delaunay::Intersection_of_constraints_exception&)
-  {
-    return false;
-  }
-  if (triangulation.dimension() < 2)
-  {
-    return borders.empty();
-  }
-  MarkInside(triangulation);
-  for (const auto face : triangulation.finite_face_handles())
-  {
-    if (face->info().depth % 2 == 1)
-    {
-      filling.push_back(
-        { face->vertex(0)->info(), face->vertex(2)->info(), face->vertex(1)->info() });
-    }
-  }
-  return true;
 }
 
 /// Moves points onto the level where edges would be cut close to them.
@@ -302,11 +206,14 @@ bool FlatCut::CloseFoot()
 {
   const Edges all = this->Borders();
   std::vector<std::array<int, 3>> foot;
-  bool filled = FillSection(this->P, this->Axis, all, foot);
+  const auto placeOf = [this](int i) -> Eigen::Vector2d // seen from below
+  {
+    return { this->P(i, (this->Axis + 2) % 3), this->P(i, (this->Axis + 1) % 3) };
+  };
+  bool filled = FillPlanarPolygons(all, placeOf, foot);
   if (!filled)
   {
     // Parts that run through each other are closed one by one.
-    foot.clear();
     const auto n = static_cast<int>(this->Mesh.P.rows());
     const std::vector<int> parts = MeshTopology(this->Mesh.F, n).GetComponents();
     std::map<int, Edges> borders;
@@ -315,7 +222,7 @@ bool FlatCut::CloseFoot()
       borders[parts[this->Made.ends[border[1]][0]]].push_back(border);
     }
     filled = std::all_of(borders.begin(), borders.end(),
-      [&](const auto& part) { return FillSection(this->P, this->Axis, part.second, foot); });
+      [&](const auto& part) { return FillPlanarPolygons(part.second, placeOf, foot); });
   }
   this->Kept.insert(this->Kept.end(), foot.begin(), foot.end());
   return filled && !this->Kept.empty();

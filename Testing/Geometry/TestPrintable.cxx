@@ -15,8 +15,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -469,6 +472,70 @@ void TestOutOfReach()
     "foil is no sheet");
 }
 
+/// A tube around z, open at both ends. @param radiusOf, heightOf  of corner i
+TriangleMesh Tube(
+  int n, const std::function<double(int)>& radiusOf, const std::function<double(int)>& heightOf)
+{
+  TriangleMesh tube;
+  tube.P.resize(2 * n, 3);
+  tube.F.resize(2 * n, 3);
+  for (int i = 0; i < n; ++i)
+  {
+    const double phi = 2.0 * Meshes::Pi * i / n;
+    const double x = radiusOf(i) * std::cos(phi);
+    const double y = radiusOf(i) * std::sin(phi);
+    const int next = (i + 1) % n;
+    tube.P.row(i) << x, y, -heightOf(i);
+    tube.P.row(n + i) << x, y, heightOf(i);
+    tube.F.row(2 * i) << i, next, n + next;
+    tube.F.row(2 * i + 1) << i, n + next, n + i;
+  }
+  return tube;
+}
+
+/// Holes in planes, filled in them: the shape is known.
+void TestStars()
+{
+  for (const int n : { 6, 300, 3000 })
+  {
+    const auto radiusOf = [](int i) { return i % 2 == 0 ? 1.0 : 0.6; };
+    TriangleMesh star = Tube(n, radiusOf, [](int) { return 0.5; });
+    const double area = 0.5 * n * 0.6 * std::sin(2.0 * Meshes::Pi / n);
+    const double walls = TriangleAreas(star.P, star.F).sum();
+    CHECK(FillHoles(star) == 2 && IsClosed(star), "both ends of a star are filled");
+    CHECK_NEAR(EnclosedVolume(star.P, star.F) / area, 1.0, 1e-12, "volume of a star");
+    CHECK_NEAR((TriangleAreas(star.P, star.F).sum() - walls) / (2.0 * area), 1.0, 1e-10,
+      "triangles of a filling do not overlap");
+  }
+}
+
+/// Wherever in memory the work is done, a hole is filled alike. Symmetric ones have many equal
+/// choices.
+void TestHoleElsewhere()
+{
+  for (const int n : { 24, 64, 128, 400 })
+  {
+    const auto heightOf = [n](int i) { return 1.0 + 0.2 * std::cos(8.0 * Meshes::Pi * i / n); };
+    const TriangleMesh tube = Tube(
+      n, [](int) { return 1.0; }, heightOf);
+    TriangleMesh first = tube;
+    FillHoles(first);
+    CHECK(IsClosed(first) && first.P.topRows(2 * n) == tube.P, "wavy ends are filled");
+    std::mt19937 engine;
+    std::vector<std::vector<char>> taken(400);
+    for (int k = 0; k < 20; ++k)
+    {
+      for (auto& memory : taken)
+      {
+        memory = std::vector<char>(engine() % 20000);
+      }
+      TriangleMesh again = tube;
+      FillHoles(again);
+      CHECK(again == first, "a hole of " << n << " corners is filled alike each time");
+    }
+  }
+}
+
 void TestHoles()
 {
   TriangleMesh ball = Meshes::Icosphere(3);
@@ -480,6 +547,8 @@ void TestHoles()
   CHECK(IsClosed(ball), "they are filled");
   CHECK(ball.P.topRows(before.rows()) == before, "points keep their numbers");
   CHECK_NEAR(EnclosedVolume(ball.P, ball.F) / volume, 1.0, 0.02, "volume");
+  TestStars();
+  TestHoleElsewhere();
   const OpenEdges three = FindOpenEdges(Meshes::ThreeAtAnEdge().F);
   CHECK(three.nonManifold > 0 && three.firstNonManifold >= 0, "three triangles at an edge");
 }
