@@ -27,8 +27,9 @@ struct ClosedSurfaceResult
 /// @param P, F  any triangles
 ClosedSurfaceResult CloseSurface(const Points& P, const Triangles& F);
 
-/// Fills the holes of a surface; in large ones with new points. Points and triangles keep their
-/// numbers, new ones follow.
+/// Fills the holes of a surface, where a border lies in a plane in that plane; in large ones with
+/// new points. Points and triangles keep their numbers, new ones follow. The same surface is filled
+/// alike each time.
 /// @param mesh  a manifold, all triangles facing alike @return how many holes there were
 int FillHoles(TriangleMesh& mesh);
 } // namespace SphericalStyle

@@ -30,6 +30,7 @@ struct Subject
   std::function<vtkSmartPointer<vtkPolyDataAlgorithm>()> make;
   bool deforms = true; ///< output 0 is the input with other points
   bool refuses = true; ///< what the main filter refuses
+  bool isSlow = false; ///< looks for parts, which takes half a second for any surface
 };
 
 template <typename Filter>
@@ -145,6 +146,11 @@ inline std::vector<Subject> Subjects()
       [](vtkSurfacePartsFilter* f) { f->SetMethodToConnectivity(); }),
     ObserverOf<vtkSurfaceDiagnostics>("vtkSurfaceDiagnostics") };
   all.back().refuses = false; // it tells
+  for (Subject& subject : all)
+  {
+    subject.isSlow =
+      subject.name == "vtkPartSizesFilter" || subject.name == "vtkSurfacePartsFilter";
+  }
 #define SUBJECT(Filter, setWeight) all.push_back(SubjectOf<Filter>(#Filter));
   SPHERICALSTYLE_TERM_FILTERS(SUBJECT)
 #undef SUBJECT
