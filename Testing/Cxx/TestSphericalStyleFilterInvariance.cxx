@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <utility>
 
 using namespace FilterTesting;
 
@@ -363,15 +364,12 @@ int TestSphericalStyleFilterInvariance(int argc, char* argv[])
       } },
   };
   Checker check;
-  for (const char* name : { "creature", "bottle" })
+  for (const auto& [name, roundness] : { std::pair{ "creature", 0.5 }, { "bottle", 5.0 } })
   {
     const Surface model = ReadModel(argc, argv, (std::string(name) + ".vtp").c_str());
-    for (const double roundness : { 0.5, 5.0 })
+    for (const Setting& setting : settings)
     {
-      for (const Setting& setting : settings)
-      {
-        Invariance(check, model, name, roundness, setting).Run();
-      }
+      Invariance(check, model, name, roundness, setting).Run();
     }
   }
   return check.Result();
