@@ -28,7 +28,8 @@ make_clean_debian()
   mkdir -p "$root/tmp/test"
   cp "$build"/packages/*.deb "$project"/Testing/Install/TestInstalled.py \
     "$project"/Testing/Python/TestImport.py "$project"/Testing/XML/*.xml \
-    "$project"/Testing/Window/*_window.py "$root/tmp/test"
+    "$project"/Testing/Window/*_window.py \
+    "$project"/Testing/Window/window_steps.py "$root/tmp/test"
   chown -R nobody "$root/tmp/test"
 }
 
@@ -87,7 +88,8 @@ play()
   [ ! -e "$root/tmp/test/${name,,}_window.py" ] || options+=("--script=${name,,}_window.py")
   [ ! -e "$root/tmp/test/Test${name}Window.xml" ] ||
     options+=("--test-script=Test${name}Window.xml" --test-directory=/tmp/test --exit)
-  with_screen paraview --dr "${options[@]}" 2>&1 | tee "$said"
+  # A script that fails leaves the window open. Scripts find window_steps.py by PYTHONPATH, the filters without it.
+  with_screen env PYTHONPATH=/tmp/test timeout 300 paraview --dr "${options[@]}" 2>&1 | tee "$said"
   if grep -E "$unwanted" "$said"; then
     return 1
   fi
