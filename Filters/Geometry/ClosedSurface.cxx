@@ -48,7 +48,7 @@ using Face = SurfaceMesh::Face_index;
 
 /// A triangle lower than this fraction of its longest edge has no angles to speak of.
 constexpr double LowestTriangle = 1e-8;
-/// How far a border may be from its plane, as a share of its extent, to be filled in the plane.
+/// How thick a border may be across its plane, as a share of its extent, to be filled in the plane.
 constexpr double FarFromPlane = 1e-3;
 /// Longer borders are filled by CGAL's Delaunay search only: the full one takes n^3.
 constexpr std::size_t LongBorder = 300;
@@ -232,6 +232,16 @@ Eigen::RowVector3d PlaceOf(const SurfaceMesh& surface, Vertex v)
   return { p.x(), p.y(), p.z() };
 }
 
+bool IsDegenerate(
+  const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& c)
+{
+  const double longest =
+    std::max({ (b - a).stableNorm(), (c - b).stableNorm(), (a - c).stableNorm() });
+  const Eigen::RowVector3d u = (b - a) / longest;
+  const Eigen::RowVector3d v = (c - a) / longest;
+  return !(u.cross(v).norm() > LowestTriangle);
+}
+
 /// A point in the middle, joined to every edge of the border. Never makes an edge that is there.
 void FillByFan(SurfaceMesh& surface, HalfEdge border)
 {
@@ -249,8 +259,8 @@ void FillByFan(SurfaceMesh& surface, HalfEdge border)
 }
 
 /// Fills a hole whose border lies in a plane, about.
-/// @return the triangles; none where it does not, where it crosses itself in the plane, or where an
-/// edge is elsewhere already
+/// @return the triangles; none where it does not, has no area or crosses itself in the plane, or
+/// where an edge is elsewhere already
 std::vector<Face> FillPlanarHole(SurfaceMesh& surface, HalfEdge border)
 {
   std::vector<Vertex> corners;
@@ -265,7 +275,7 @@ std::vector<Face> FillPlanarHole(SurfaceMesh& surface, HalfEdge border)
     P.row(i) = PlaceOf(surface, corners[i]);
   }
   const double extent = (P.colwise().maxCoeff() - P.colwise().minCoeff()).maxCoeff();
-  P.rowwise() -= P.colwise().mean().eval();
+  P = (P.rowwise() - P.row(0).eval()) / extent; // so that no square overflows
   std::vector<std::array<int, 2>> edges;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for (int i = 0; i < n; ++i)
@@ -274,8 +284,10 @@ std::vector<Face> FillPlanarHole(SurfaceMesh& surface, HalfEdge border)
     edges.push_back({ i, next });
     normal += P.row(i).cross(P.row(next));
   }
-  normal.stableNormalize();
-  if (!((P * normal).cwiseAbs().maxCoeff() <= FarFromPlane * extent))
+  const double area = 0.5 * normal.norm();
+  normal.normalize();
+  const Eigen::VectorXd heights = P * normal;
+  if (!(area > LowestTriangle) || !(heights.maxCoeff() - heights.minCoeff() <= FarFromPlane))
   {
     return {};
   }
@@ -338,30 +350,33 @@ public:
 private:
   static constexpr double Noise = 0.006; // along each axis
 
-  /// The way to the nearest of two points on each side.
+  /// The way to the nearest of two points on each side, before.
   double GapAt(std::size_t i) const
   {
     const std::size_t n = this->Before.size();
     double least = std::numeric_limits<double>::infinity();
     for (const std::size_t step : { std::size_t{ 1 }, std::size_t{ 2 }, n - 2, n - 1 })
     {
-      least = std::min(
-        least, CGAL::squared_distance(this->Before[i].second, this->Before[(i + step) % n].second));
+      const Point3& p = this->Before[i].second;
+      const Point3& q = this->Before[(i + step) % n].second;
+      least =
+        std::min(least, Eigen::Vector3d(q.x() - p.x(), q.y() - p.y(), q.z() - p.z()).stableNorm());
     }
-    return std::sqrt(least);
+    return least;
   }
 
   SurfaceMesh& Surface;
   std::vector<std::pair<Vertex, Point3>> Before;
 };
 
-/// Fills a hole of any shape. @return the triangles; none where CGAL finds none
-std::vector<Face> FillAnyHole(SurfaceMesh& surface, HalfEdge border)
+/// CGAL's filling of a hole of any shape.
+/// @param all  looks at all triangles, not only at those of a Delaunay triangulation
+std::vector<Face> SearchTriangles(SurfaceMesh& surface, HalfEdge border, bool all)
 {
-  const MovedBorder moved(surface, border);
   std::vector<Face> faces;
   const bool isLong = surface.vertices_around_face(border).size() > LongBorder;
-  const auto parameters = PMP::parameters::do_not_use_cubic_algorithm(isLong);
+  const auto parameters =
+    PMP::parameters::do_not_use_cubic_algorithm(isLong).use_delaunay_triangulation(isLong || !all);
 #if SPHERICALSTYLE_CGAL_6
   PMP::triangulate_hole(
     surface, border, parameters.face_output_iterator(std::back_inserter(faces)));
@@ -369,6 +384,36 @@ std::vector<Face> FillAnyHole(SurfaceMesh& surface, HalfEdge border)
   PMP::triangulate_hole(surface, border, std::back_inserter(faces), parameters);
 #endif
   return faces;
+}
+
+/// Fills a hole of any shape. @return the triangles; none where CGAL finds none
+std::vector<Face> FillAnyHole(SurfaceMesh& surface, HalfEdge border)
+{
+  std::vector<Face> faces;
+  {
+    const MovedBorder moved(surface, border);
+    faces = SearchTriangles(surface, border, false);
+  }
+  const auto isDegenerate = [&surface](Face f)
+  {
+    std::array<Eigen::RowVector3d, 3> corners;
+    int k = 0;
+    for (const Vertex v : surface.vertices_around_face(surface.halfedge(f)))
+    {
+      corners[k++] = PlaceOf(surface, v);
+    }
+    return IsDegenerate(corners[0], corners[1], corners[2]);
+  };
+  if (std::none_of(faces.begin(), faces.end(), isDegenerate))
+  {
+    return faces;
+  }
+  // Three points on a line make a triangle only when moved. In place, CGAL leaves it out.
+  for (const Face f : faces)
+  {
+    CGAL::Euler::remove_face(surface.halfedge(f), surface);
+  }
+  return SearchTriangles(surface, border, true);
 }
 
 void FillHole(SurfaceMesh& surface, HalfEdge border)
@@ -402,12 +447,7 @@ bool HasDegenerateTriangle(const TriangleMesh& mesh)
   const auto rows = mesh.F.rowwise();
   return std::any_of(rows.begin(), rows.end(),
     [&](const Eigen::RowVector3i& t)
-    {
-      const Eigen::RowVector3d u = mesh.P.row(t[1]) - mesh.P.row(t[0]);
-      const Eigen::RowVector3d v = mesh.P.row(t[2]) - mesh.P.row(t[0]);
-      const double longest = std::max({ u.norm(), v.norm(), (u - v).norm() });
-      return !(u.cross(v).norm() > LowestTriangle * longest * longest);
-    });
+    { return IsDegenerate(mesh.P.row(t[0]), mesh.P.row(t[1]), mesh.P.row(t[2])); });
 }
 
 /// V - E + F of a closed surface.

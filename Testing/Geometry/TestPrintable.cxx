@@ -536,6 +536,34 @@ void TestHoleElsewhere()
   }
 }
 
+/// Sizes whose squares are no numbers, and borders without an area or with three points on a line.
+void TestOddBorders()
+{
+  const auto one = [](int) { return 1.0; };
+  for (const double wave : { 0.0, 0.2 })
+  {
+    const auto heightOf = [wave](int i) { return 1.0 + wave * std::cos(Meshes::Pi * i / 3.0); };
+    TriangleMesh expected = Tube(24, one, heightOf);
+    const TriangleMesh tube = expected;
+    FillHoles(expected);
+    for (const double size : { 1e-200, 1e200 })
+    {
+      TriangleMesh mesh = tube;
+      mesh.P *= size;
+      CHECK(FillHoles(mesh) == 2 && IsClosed(mesh) && mesh.P.allFinite(), "of size " << size);
+      CHECK_NEAR(EnclosedVolume(mesh.P / size, mesh.F) / EnclosedVolume(expected.P, expected.F),
+        1.0, 0.01, "volume of size " << size);
+    }
+  }
+  TriangleMesh line = Tube(3, one, one);
+  for (int i = 0; i < 3; ++i)
+  {
+    line.P.row(i) << i, 0.0, -1.0;
+  }
+  FillHoles(line);
+  CHECK(IsClosed(line) && line.P.rows() == 7, "a border on a line gets a point in the middle");
+}
+
 void TestHoles()
 {
   TriangleMesh ball = Meshes::Icosphere(3);
@@ -547,8 +575,6 @@ void TestHoles()
   CHECK(IsClosed(ball), "they are filled");
   CHECK(ball.P.topRows(before.rows()) == before, "points keep their numbers");
   CHECK_NEAR(EnclosedVolume(ball.P, ball.F) / volume, 1.0, 0.02, "volume");
-  TestStars();
-  TestHoleElsewhere();
   const OpenEdges three = FindOpenEdges(Meshes::ThreeAtAnEdge().F);
   CHECK(three.nonManifold > 0 && three.firstNonManifold >= 0, "three triangles at an edge");
 }
@@ -566,5 +592,8 @@ int main()
   TestTip();
   TestOutOfReach();
   TestHoles();
+  TestStars();
+  TestHoleElsewhere();
+  TestOddBorders();
   return CheckResult();
 }
