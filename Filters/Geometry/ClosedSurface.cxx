@@ -3,6 +3,7 @@
 #include "ClosedSurface.h"
 
 #include "CGALVersion.h"
+#include "Frame.h"
 #include "PlanarPolygons.h"
 #include "SurfaceMeasures.h"
 #include "SurfaceMesh.h"
@@ -512,9 +513,13 @@ ClosedSurfaceResult CloseSurface(const Points& P, const Triangles& F)
 
 int FillHoles(TriangleMesh& mesh)
 {
-  SurfaceMesh surface = ToSurfaceMesh(mesh);
+  const Points before = mesh.P;
+  const Frame frame = FrameOf(before); // CGAL's measures would overflow
+  SurfaceMesh surface = ToSurfaceMesh({ frame.Into(before), mesh.F });
   const int holes = FillBorders(surface);
   mesh = ToTriangleMesh(surface);
+  mesh.P = frame.OutOf(mesh.P);
+  mesh.P.topRows(before.rows()) = before; // to the bit
   return holes;
 }
 } // namespace SphericalStyle
