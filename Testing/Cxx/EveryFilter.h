@@ -55,6 +55,12 @@ Subject ObserverOf(
   return subject;
 }
 
+inline Subject Slow(Subject subject)
+{
+  subject.isSlow = true;
+  return subject;
+}
+
 inline std::vector<Subject> Subjects()
 {
   using Main = vtkSphericalStyleFilter;
@@ -131,26 +137,21 @@ inline std::vector<Subject> Subjects()
         f->AddHandle(high);
         f->SetMaximumNumberOfIterations(20);
       }),
-    SubjectOf<vtkPartSizesFilter>("vtkPartSizesFilter",
+    Slow(SubjectOf<vtkPartSizesFilter>("vtkPartSizesFilter",
       [](vtkPartSizesFilter* f)
       {
         f->SetPartSize(0, 1.3);
         f->SetPartRoundness(0, 0.5);
         f->KeepOnGroundOn();
-      }),
+      })),
     ObserverOf<vtkGaussMapFilter>("vtkGaussMapFilter"),
     ObserverOf<vtkSurfaceMetrics>("vtkSurfaceMetrics"),
-    ObserverOf<vtkSurfacePartsFilter>("vtkSurfacePartsFilter",
-      [](vtkSurfacePartsFilter* f) { f->SetNumberOfParts(1); }), // no search, which takes long
+    Slow(ObserverOf<vtkSurfacePartsFilter>("vtkSurfacePartsFilter",
+      [](vtkSurfacePartsFilter* f) { f->SetNumberOfParts(1); })), // a search takes longer still
     ObserverOf<vtkSurfacePartsFilter>("vtkSurfacePartsFilter by connectivity",
       [](vtkSurfacePartsFilter* f) { f->SetMethodToConnectivity(); }),
     ObserverOf<vtkSurfaceDiagnostics>("vtkSurfaceDiagnostics") };
   all.back().refuses = false; // it tells
-  for (Subject& subject : all)
-  {
-    subject.isSlow =
-      subject.name == "vtkPartSizesFilter" || subject.name == "vtkSurfacePartsFilter";
-  }
 #define SUBJECT(Filter, setWeight) all.push_back(SubjectOf<Filter>(#Filter));
   SPHERICALSTYLE_TERM_FILTERS(SUBJECT)
 #undef SUBJECT
