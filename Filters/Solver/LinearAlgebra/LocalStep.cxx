@@ -19,6 +19,7 @@ namespace
 {
 // Of the closed form; the singular value decomposition takes over beyond.
 constexpr double SmallestDenominator = 1e-3;
+constexpr double LeastStretch = 1e-12;  // of the largest singular value
 constexpr double LargestDefect = 1e-10; // of R^T R from the identity
 }
 
@@ -93,7 +94,11 @@ double RotationCertainty(const Eigen::Matrix3d& S, const Eigen::Matrix3d& R)
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> stretch(R * S, Eigen::EigenvaluesOnly);
   const double s3 = -stretch.eigenvalues()(0);
   const double s2 = stretch.eigenvalues()(1);
-  return s3 < s2 ? (s2 - s3) / (s2 + s3) : 0.0;
+  if (!(s2 + s3 > LeastStretch * stretch.eigenvalues()(2))) // rounding: no sign means anything
+  {
+    return 1.0;
+  }
+  return s3 < s2 ? std::min(1.0, (s2 - s3) / (s2 + s3)) : 0.0;
 }
 
 namespace

@@ -21,7 +21,8 @@ Eigen::Matrix3d ClosestRotationSVD(const Eigen::Matrix3d& S);
 Eigen::Matrix3d ClosestRotation(const Eigen::Matrix3d& S);
 
 /// How well determined the closest rotation is, 0 to 1: with the singular values s1 >= s2 >= s3 of
-/// S, 1 where det S >= 0, else (s2 - s3) / (s2 + s3). At 0 it turns by 180 degrees.
+/// S, 1 where det S >= 0, else (s2 - s3) / (s2 + s3). At 0 it turns by 180 degrees. 1 as well where
+/// s2 + s3 is at most 1e-12 s1: nothing but rounding.
 /// @param R  ClosestRotation(S)
 double RotationCertainty(const Eigen::Matrix3d& S, const Eigen::Matrix3d& R);
 

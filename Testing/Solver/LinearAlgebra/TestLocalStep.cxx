@@ -177,6 +177,16 @@ void TestCertainty()
         1e-9, "the certainty of a mirrored shape's rotation");
     }
   }
+  // Of rank one: the smaller values are rounding, of either sign.
+  for (int i = 0; i < 2000; ++i)
+  {
+    const double noise = std::pow(10.0, -9.0 - i % 9);
+    Matrix3d S = random.Rotation() * Vector3d(1.0, 0.0, 0.0).asDiagonal() * random.Rotation();
+    S += noise * random.Rotation() * Vector3d(0.3, 0.2, -0.1).asDiagonal();
+    const double certainty = RotationCertainty(S, ClosestRotation(S));
+    CHECK(certainty >= 0.0 && certainty <= 1.0 && (noise > 2e-13 || certainty == 1.0),
+      "certainty " << certainty << " with noise " << noise);
+  }
   const Matrix3d none = Matrix3d::Zero();
   CHECK(RotationCertainty(none, ClosestRotation(none)) == 1.0, "nothing to turn is certain");
 }
