@@ -17,7 +17,6 @@
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
@@ -28,7 +27,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
-#include "vtkStaticPointLocator.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVersionMacros.h"
 
@@ -46,6 +44,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -416,23 +415,33 @@ std::vector<vtkIdType> Representatives(Points& x, bool weld)
   {
     return representative;
   }
-  if (x.rows() == 0 ||
-    (x.rowwise() - x.row(0)).isZero(0.0)) // the locator divides by the size of the bounds
+  // Not by vtkStaticPointLocator, which compares all points of a bucket with each other: one point
+  // far away, and all others are in one bucket.
+  struct Place
   {
-    std::fill(representative.begin(), representative.end(), 0);
-    return representative;
+    double x, y, z;
+    vtkIdType id;
+    bool operator<(const Place& other) const
+    {
+      return std::tie(this->x, this->y, this->z, this->id) <
+        std::tie(other.x, other.y, other.z, other.id);
+    }
+  };
+  std::vector<Place> places(x.rows());
+  for (const vtkIdType id : representative)
+  {
+    places[id] = { x(id, 0), x(id, 1), x(id, 2), id };
   }
-  vtkNew<vtkDoubleArray> coordinates; // the locator knows float and double only; this is no copy
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetArray(x.data(), x.size(), 1);
-  vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
-  vtkNew<vtkPolyData> cloud; // points alone: the locator builds no cells
-  cloud->SetPoints(points);
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(cloud);
-  locator->BuildLocator();
-  locator->MergePoints(0.0, representative.data());
+  std::sort(places.begin(), places.end());
+  for (std::size_t k = 1; k < places.size(); ++k)
+  {
+    const Place& place = places[k];
+    const Place& before = places[k - 1];
+    if (place.x == before.x && place.y == before.y && place.z == before.z)
+    {
+      representative[place.id] = representative[before.id];
+    }
+  }
   return representative;
 }
 
