@@ -368,12 +368,15 @@ void vtkGLTFTargets::Add(vtkGLTFDocument& document, const vtkGLTFScene::Scene& s
     }
   }
   AnimatedWeights(document, weights).Extend(meshOf, before);
-  for (const auto& [node, mesh] : meshOf)
+  for (const auto& [mesh, own] : before)
   {
     Json& json = document.Root["meshes"][mesh];
-    Fill(json["weights"], before.at(mesh), 0.0);
+    Fill(json["weights"], own, 0.0);
     Append(json["weights"], weights);
-    Describe(json, targets, before.at(mesh));
+    Describe(json, targets, own);
+  }
+  for (const auto& [node, mesh] : meshOf)
+  {
     Json& shown = document.Root["nodes"][node];
     if (shown.contains("weights"))
     {

@@ -367,6 +367,17 @@ gap = largest(halves[0][seam], halves[1][seam]) / diagonal(P)
 print(f"{len(seam)} points of two nodes stay together: {gap:.1e} of the diagonal apart")
 assert gap < 1e-6
 
+# A mesh that another scene shows, too, has its targets once.
+maker = GLTFFiles.figure()
+maker.root["nodes"].append({"mesh": 0})
+maker.root["scenes"].append({"nodes": [len(maker.root["nodes"]) - 1]})
+slider, root, binary = write("scenes.glb", maker.save(os.path.join(folder, "two.glb")), **plain)
+for mesh in root["meshes"]:
+    counts = {len(mesh["weights"]), len(mesh["extras"]["targetNames"]),
+              *(len(primitive["targets"]) for primitive in mesh["primitives"])}
+    assert len(counts) == 1, counts
+print("two scenes: as many weights and names as targets")
+
 # Bones that are not in the pose that they were bound in: what is rounded is what is shown, here an arm that is bent, with
 # a ball in its hand and a mesh that a bone hides.
 def make_arm():
