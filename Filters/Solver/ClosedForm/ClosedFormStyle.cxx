@@ -991,9 +991,7 @@ ClosedFormReport ClosedFormStyle::Carry(
   Points moved = Q;
   if (s.HasDetails())
   {
-    const SurfaceGrid& grid = s.GetGrid();
-    const Fields base = grid.SmoothTwice(grid.Means(Q, options.threads), options.threads);
-    moved = grid.AtPoints(base, *s.P, options.threads);
+    moved = s.BaseOf(Q, options.threads);
   }
   s.CarryDetails(options, std::move(moved));
   s.Place(options, report);

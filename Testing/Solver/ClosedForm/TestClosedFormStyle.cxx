@@ -796,6 +796,23 @@ void SmallParts()
               << std::endl;
     CHECK(distance < 0.006, "a loose part of size " << size << " is " << distance << " off");
   }
+
+  // Beside a base that an energy deforms: where the base is not known, the part goes as a whole.
+  MethodOptions uniform = Closed(0.05, 0.0, 0.06);
+  uniform.sphericalWeighting = SphericalWeighting::Uniform;
+  for (const double size : { 1e-4, 1e-5, 1e-6 })
+  {
+    const TriangleMesh mesh =
+      Together({ large, Moved(Scaled(Icosphere(1), size * Vector::Ones()), place) });
+    SphericalStyleMethod method;
+    method.SetMesh(mesh);
+    method.Solve(uniform);
+    const Eigen::RowVector3d mean = method.GetPositions().bottomRows(42).colwise().mean();
+    const double distance = (mean - place.transpose()).norm() / place.norm();
+    std::cout << "with an energy, a loose part of size " << size << " moves by " << distance
+              << std::endl;
+    CHECK(distance < 0.1, "with an energy, a loose part of size " << size << " flies away");
+  }
 }
 
 /// How much of its area a fin keeps depends on the size of details smoothly, wherever the grid has
