@@ -730,7 +730,7 @@ SurfaceGrid::SurfaceGrid(
     const double boxes = (2.0 * half + 1.0).prod();
     // A box of more cells would have more functions than there may be, unless hardly any of it is
     // surface.
-    constexpr double MostBoxes = 2e8;
+    constexpr double MostBoxes = 4e7;
     if (!(boxes <= MostBoxes))
     {
       const double thinnest = extent.maxCoeff() / MostBoxes; // the root below could overflow
@@ -750,11 +750,16 @@ SurfaceGrid::SurfaceGrid(
       this->Spacing *= 2.0;
       continue;
     }
-    this->NumberFunctions(*cells);
-    if (this->NumberOfFunctions > MaximumNumberOfFunctions)
+    // Each cell has a function of its own, so that there are at least as many.
+    double functions = static_cast<double>(cells->size());
+    if (functions <= MaximumNumberOfFunctions)
     {
-      this->Spacing *=
-        1.02 * std::sqrt(static_cast<double>(this->NumberOfFunctions) / MaximumNumberOfFunctions);
+      this->NumberFunctions(*cells);
+      functions = this->NumberOfFunctions;
+    }
+    if (functions > MaximumNumberOfFunctions)
+    {
+      this->Spacing *= 1.02 * std::sqrt(functions / MaximumNumberOfFunctions);
       continue;
     }
     splatter.Sum(*cells);

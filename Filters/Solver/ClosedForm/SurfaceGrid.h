@@ -67,7 +67,8 @@ struct GridPair
 /// Processes send 20 numbers a sample to build a grid, and the rows of Means and Gradients.
 ///
 /// Cost: one pass over the triangles; then for G functions (about 10 area / h^2) their factor,
-/// about G^1.5, and about 45 bytes a point.
+/// about G^1.5, and about 45 bytes a point, 9 bytes for each cell of the box, of which there are at
+/// most 4e7.
 class SurfaceGrid
 {
 public:
