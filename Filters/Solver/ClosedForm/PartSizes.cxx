@@ -15,7 +15,6 @@
 #include <limits>
 #include <numeric>
 #include <queue>
-#include <set>
 #include <utility>
 
 namespace SphericalStyle
@@ -181,18 +180,18 @@ void PartSizes::ShareNothingThroughAir(const Triangles& F, double width)
     }
   }
   const std::vector<int> pieces = FirstPointsOfComponents(F, static_cast<int>(this->Shares.rows()));
-  std::set<std::pair<int, int>> there; // piece and part
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-  {
-    there.insert({ pieces[i], this->Parts[i] });
-  }
   const EdgeDistances distances(this->P, F, FarAlong * width);
   for (int l = 0; l < count; ++l)
   {
     const std::vector<double> along = distances.From(this->Parts, l);
+    std::vector<char> isThere(pieces.size(), 0); // whether a piece has a point of the part
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+    {
+      isThere[pieces[i]] |= this->Parts[i] == l ? 1 : 0;
+    }
     for (Eigen::Index i = 0; i < this->Shares.rows(); ++i)
     {
-      if (there.count({ pieces[i], l }) > 0)
+      if (isThere[pieces[i]])
       {
         const double x =
           std::clamp((FarAlong - along[i] / width) / (FarAlong - NearAlong), 0.0, 1.0);
