@@ -11,9 +11,9 @@
 /// Looks for planes about which a surface is nearest to its mirror image.
 ///
 /// Samples x_k of equal area are mirrored, M x_k, and c_k is the place of the surface nearest to
-/// that, in the direction m_k: at first another sample, m_k its normal. From 13 directions, those
-/// to faces, edges and corners of a cube, and the three principal axes, all through the mean,
-/// Gauss-Newton on
+/// that; m_k is the normal of its triangle, in the last rounds the direction from c_k to M x_k.
+/// From 13 directions, those to faces, edges and corners of a cube, and the three principal axes,
+/// all through the mean, Gauss-Newton on
 ///
 ///     sum_k w_k (m_k . (M x_k - c_k))^2,    w_k = 1 / (1 + (|M x_k - c_k| / 3 median)^2)
 ///
@@ -23,9 +23,9 @@
 ///
 /// Why not a library: VTK's vtkReflectionFilter takes a plane, none finds one; CGAL and Open3D
 /// neither. Source: iterated closest points for symmetry (N. J. Mitra, L. J. Guibas, M. Pauly,
-/// Symmetrization, SIGGRAPH 2007). Cost: at most 170,000 searches of a near sample and 12,000 of a
-/// closest point of the surface, which take longest where the mirror image is far: .6 to 2 s in one
-/// thread on 16 models of 800 to 50,000 points, and .1 to 3 s across an axis.
+/// Symmetrization, SIGGRAPH 2007). Cost: at most 190,000 searches of a closest point of the
+/// surface, which take longest where the mirror image is far: .6 to 2 s in one thread on 16 models
+/// of 800 to 50,000 points, and .1 to 3 s across an axis. Nobody can end it.
 namespace vtkSymmetryPlane
 {
 struct Found
