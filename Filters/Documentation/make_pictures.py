@@ -421,7 +421,7 @@ def by_share(surface):
     actor = model_pictures.actor_of(surface)
     if surface.GetPointData().HasArray("log2 share"):
         colors = vtkColorTransferFunction()
-        for at, color in ((-9.0, BLUE), (-4.5, YELLOW), (0.0, RED)):
+        for at, color in ((-2.0, BLUE), (-1.0, YELLOW), (0.0, RED)):
             colors.AddRGBPoint(at, *color)
         normals = vtkPolyDataNormals()
         normals.SetFeatureAngle(60.0)
@@ -448,14 +448,12 @@ def with_share(surface, roundness):
 
 
 if wanted("fold-guard.png"):
-    strong = {"Roundness": 5.0, "NormalBlend": 1.0, "DetailSize": 0.0, "KeepSize": vtkSphericalStyleFilter.NO_SIZE,
-              "NormalRadius": vtkSphericalStyleFilter.WHOLE_MODEL_RADIUS}
-    guarded = rounded(creature, AvoidSelfIntersections=1, **strong)
+    guarded = rounded(creature, AvoidSelfIntersections=1)
     picture("fold-guard.png", (1200, 360), [[
         (creature, "model"),
-        (rounded(creature, **strong), "Roundness 5, every limb a ball"),
+        (rounded(creature), "Toy"),
         (guarded, "with AvoidSelfIntersections"),
-        (with_share(guarded, 5.0), "kept: blue 1/500, yellow 1/22, red all"),
+        (with_share(guarded, 1.0), "kept: blue 1/4, yellow 1/2, red all"),
     ]], 25.0, 13, few_colors=False, make_actor=by_share)
 
 # ------------------------------------------------------------------------------------ SurfaceMetrics

@@ -187,7 +187,6 @@ vtkStyleReview::Remarks vtkStyleReview::Review(const vtkSurfaceMesh& surface, in
   }
   choices.canAvoidFolds = WithCgal;
   remarks.Advice = Advise(o, this->Facts.Get(),
-    MeasureResult(surface.Mesh, this->Facts.Get(), Q, o, report, choices.avoidsFolds, surface.Part),
-    choices);
+    MeasureResult(surface.Mesh, this->Facts.Get(), Q, o, report, surface.Part), choices);
   return remarks;
 }

@@ -36,6 +36,7 @@ constexpr double FacingAwayLimit = 0.3;
 /// less. Closed ones with 1 % and more look as they should. Of 33 models at Toy whose folds are
 /// avoided, two that crumple have 1.8 and 2.6 %, the others .8 % or less.
 constexpr double CreasedLimit = 0.01;
+constexpr double LittleLeft = 0.1; // of Roundness
 /// Length of the border over the square root of the area: open shells have 1 or more, a figure with
 /// a hole .1, a cut bust .7.
 constexpr double BorderLimit = 1.0;
@@ -317,7 +318,7 @@ SurfaceFacts MeasureSurface(const TriangleMesh& mesh, int components, const Surf
 }
 
 ResultFacts MeasureResult(const TriangleMesh& mesh, const SurfaceFacts& surface, const Points& Q,
-  const MethodOptions& o, const StyleReport& report, bool avoidsFolds, const SurfacePart& part)
+  const MethodOptions& o, const StyleReport& report, const SurfacePart& part)
 {
   ResultFacts facts;
   facts.blendsByArray = part.Sum(static_cast<double>(o.normalBlends.size())) > 0.0;
@@ -332,7 +333,7 @@ ResultFacts MeasureResult(const TriangleMesh& mesh, const SurfaceFacts& surface,
       facts.centroidOutside = around.centerOutside;
     }
   }
-  if (avoidsFolds || IsOpen(surface))
+  if (IsOpen(surface))
   {
     facts.creasedShare = NewCreases(surface.creases, Q);
   }
@@ -402,9 +403,12 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
     { turned && choices.canAvoidFolds && !choices.avoidsFolds,
       "AvoidSelfIntersections On: " + turnedOver },
     { turned && o.lambda > LeastRoundness, "Roundness " + lessRoundness + ": " + turnedOver },
-    { creased && choices.avoidsFolds && o.lambda > LeastRoundness,
-      "Roundness " + lessRoundness + ": without self-intersections " +
-        Percent(result.creasedShare) + " of the area is crumpled, for there is too little room" },
+    { choices.avoidsFolds && choices.keptShare < LittleLeft,
+      "AvoidSelfIntersections leaves " +
+        (choices.keptShare < 0.005 ? "less than 1 %" : Percent(choices.keptShare)) +
+        " of Roundness: this model folds wherever it becomes round. Switch it off, or try the "
+        "filter "
+        "Convex Proxy Deform" },
     { creased && IsOpen(surface) && !result.blendsByArray && o.normalBlend > 0.0,
       "NormalBlend 0: this open shell crumples when rounded limb by limb, on " +
         Percent(result.creasedShare) + " of its area" },

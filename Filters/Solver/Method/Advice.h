@@ -55,15 +55,12 @@ struct ResultFacts
   double facingAwayShare = 0.0; ///< area whose normal at rest points toward O, of all; with normals
                                 ///< in play only looked for around a center of one's own
   double creasedShare = 0.0; ///< area at new creases (NewCreases); only looked for on open shells
-                             ///< and where folds were avoided
   /// Triangles turned over, of all; only looked for where as many have turned by a right angle.
   double turnedOverShare = 0.0;
 };
 /// @param Q  the points of the result @param o, report  those of the solve that led there
-/// @param avoidsFolds  AvoidSelfIntersections was on
 ResultFacts MeasureResult(const TriangleMesh& mesh, const SurfaceFacts& surface, const Points& Q,
-  const MethodOptions& o, const StyleReport& report, bool avoidsFolds = false,
-  const SurfacePart& part = {});
+  const MethodOptions& o, const StyleReport& report, const SurfacePart& part = {});
 
 /// What matters of the model before long edges are split.
 struct ModelFacts
@@ -85,6 +82,7 @@ struct AdviceChoices
   double splitShare = 0.0;
   ModelFacts model;
   bool canAvoidFolds = true; ///< AvoidSelfIntersections is there
+  double keptShare = 1.0;    ///< of lambda, what AvoidSelfIntersections left in the mean
 };
 
 /// The one change that helps most, and the fact that says so, as "Property Value: fact", in one

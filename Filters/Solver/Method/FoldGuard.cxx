@@ -20,16 +20,17 @@ namespace
 using Pair = std::array<int, 2>;
 
 // Octaves: a share s is kept as log2 s, 0 or less.
-constexpr double Slope = 25.0;     ///< most octaves over the diagonal
-constexpr double Lowering = 1.0;   ///< where something folds
-constexpr double Hurry = 2.0;      ///< the same, where much folds or it takes long
-constexpr double Raising = 1.0;    ///< where there is room
-constexpr double Correction = 0.5; ///< where raising was too much
-constexpr double NoGain = 0.1;     ///< less is not worth a solve
-constexpr int Corrections = 3;     ///< before a raising is given up
-constexpr double ManyFolds = 0.25; ///< of the triangles
-constexpr int LongTime = 8;        ///< rounds
-constexpr double LockWidth = 0.03; ///< of the diagonal: no further raising around a new fold
+constexpr double Slope = 3.0;       ///< most octaves over the diagonal: limbs move as a whole
+constexpr double LocalSlope = 25.0; ///< the same of the last resort, where the way is short
+constexpr double Lowering = 1.0;    ///< where something folds
+constexpr double Hurry = 2.0;       ///< the same, where much folds or it takes long
+constexpr double Raising = 1.0;     ///< where there is room
+constexpr double Correction = 0.5;  ///< where raising was too much
+constexpr double NoGain = 0.1;      ///< less is not worth a solve
+constexpr int Corrections = 3;      ///< before a raising is given up
+constexpr double ManyFolds = 0.25;  ///< of the triangles
+constexpr int LongTime = 8;         ///< rounds
+constexpr double LockWidth = 0.03;  ///< of the diagonal: no further raising around a new fold
 
 Eigen::VectorXd Shares(const Eigen::VectorXd& octaves)
 {
@@ -99,11 +100,11 @@ public:
     return field;
   }
 
-  /// The field lowered at the corners of the triangles, and as far around them as its slope asks.
-  Eigen::VectorXd Lower(
-    const Eigen::VectorXd& field, const std::vector<int>& triangles, double octaves) const
+  /// The field lowered at the corners of the triangles, and as far around them as the slope asks.
+  Eigen::VectorXd Lower(const Eigen::VectorXd& field, const std::vector<int>& triangles,
+    double octaves, double slope) const
   {
-    return this->Limit(field - octaves * this->Corners(triangles), Slope);
+    return this->Limit(field - octaves * this->Corners(triangles), slope);
   }
 
   /// 1 at the corners of the triangles, falling to 0 over LockWidth.
@@ -193,7 +194,7 @@ void Guard::Lower(const OctaveFields& fields)
     const double share =
       static_cast<double>(this->Found.triangles.size()) / static_cast<double>(this->Rest.F.rows());
     const bool hurry = share > ManyFolds || round >= LongTime;
-    this->Field = fields.Lower(this->Field, this->Found.triangles, hurry ? Hurry : Lowering);
+    this->Field = fields.Lower(this->Field, this->Found.triangles, hurry ? Hurry : Lowering, Slope);
     if (this->Try(this->Field) || this->Report.aborted)
     {
       return;
@@ -216,7 +217,7 @@ bool Guard::Correct(const OctaveFields& fields, Eigen::VectorXd& field, Eigen::V
       return false;
     }
     lock = lock.cwiseMax(fields.Around(this->Found.triangles));
-    field = fields.Lower(field, this->Found.triangles, Correction);
+    field = fields.Lower(field, this->Found.triangles, Correction, Slope);
   }
   return false;
 }
@@ -261,7 +262,7 @@ void Guard::Blend(const OctaveFields& fields)
   Eigen::VectorXd field = Eigen::VectorXd::Zero(this->Field.size());
   for (int round = 0; round < this->Options.blends && this->Found.Any(); ++round)
   {
-    field = fields.Lower(field, this->Found.triangles, Lowering);
+    field = fields.Lower(field, this->Found.triangles, Lowering, LocalSlope);
     this->Found = this->Finder.Find(this->Blended(Shares(field)));
   }
   const Eigen::VectorXd local = Shares(field);
@@ -293,6 +294,7 @@ FoldGuardReport Guard::Run()
     {
       this->Raise(fields);
     }
+    this->Report.meanShare = fields.MeanShare(this->Field);
   }
   this->Report.after = this->Found;
   return std::move(this->Report);

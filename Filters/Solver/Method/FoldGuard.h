@@ -71,6 +71,7 @@ struct FoldGuardReport
 {
   Points positions;       ///< n x 3: of the last solve, or nearer to the rest shape (blended)
   Eigen::VectorXd shares; ///< n, above 0 to 1: of lambda, what remained; of the last solve
+  double meanShare = 1.0; ///< their mean over the surface
   Folds before;           ///< with all of lambda
   Folds after;            ///< none, unless aborted
   int solves = 0;
@@ -80,9 +81,9 @@ struct FoldGuardReport
 
 /// Deforms without folds [guard]. Where triangles turn over or newly intersect, lambda is halved
 /// and the model solved again, at most `lowerings` times; then it grows again where that brings
-/// nothing back. Shares differ by no more than a factor of 2 over 4 % of the diagonal along the
-/// edges. If folds are left, the result goes back to the rest shape, first where they are and then
-/// all over: there it has none.
+/// nothing back. Shares differ by no more than a factor of 2 over a third of the diagonal along
+/// the edges. If folds are left, the result goes back to the rest shape, first where they are and
+/// then all over: there it has none.
 /// @param rest  every triangle has an area
 /// Cost: at most lowerings + raisings + 1 solves and searches, 2 * blends searches more with the
 /// last resort, and one solve if the last trial was not the best; one of each where nothing folds.
