@@ -16,6 +16,7 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
 
+#include <QAbstractItemModel>
 #include <QEvent>
 #include <QHeaderView>
 #include <QIntValidator>
@@ -90,10 +91,10 @@ pqPartRows::pqPartRows(vtkPVXMLElement* xml, pqPropertyWidget* widget)
   {
     return;
   }
-  this->Known = static_cast<int>(this->List->scalars().size());
   // Not while ParaView still adds the row.
-  QObject::connect(this->List.data(), &pqScalarValueListPropertyWidget::scalarsChanged, this,
-    &pqPartRows::completeRow, Qt::QueuedConnection);
+  QObject::connect(
+    this->Table->model(), &QAbstractItemModel::rowsInserted, this,
+    [this](const QModelIndex&, int row) { this->completeRow(row); }, Qt::QueuedConnection);
   this->Table->verticalHeader()->hide(); // numbers of rows beside those of parts
   this->Table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   this->Table->viewport()->installEventFilter(this);
@@ -112,27 +113,24 @@ bool pqPartRows::eventFilter(QObject* watched, QEvent* event)
   return this->pqPropertyWidgetDecorator::eventFilter(watched, event);
 }
 
-/// The last row, if it is new and as ParaView makes it.
-void pqPartRows::completeRow()
+/// A new row, if it is as ParaView makes it: empty, or a copy of the one before.
+void pqPartRows::completeRow(int row)
 {
   QVariantList numbers = this->List ? this->List->scalars() : QVariantList();
-  const auto count = static_cast<int>(numbers.size());
-  const int last = count - 2;
-  const bool isNew = count == this->Known + 2;
-  this->Known = count;
-  if (!isNew)
+  const int at = 2 * row;
+  if (at + 1 >= static_cast<int>(numbers.size()))
   {
     return;
   }
-  const bool isEmpty = numbers[last].toString().isEmpty() && numbers[last + 1].toString().isEmpty();
-  if (!isEmpty && (last < 2 || numbers.mid(last, 2) != numbers.mid(last - 2, 2)))
+  const bool isEmpty = numbers[at].toString().isEmpty() && numbers[at + 1].toString().isEmpty();
+  if (!isEmpty && (at < 2 || numbers.mid(at, 2) != numbers.mid(at - 2, 2)))
   {
     return;
   }
-  numbers[last + 1] = 1.0;
-  numbers[last] = this->nextPart(numbers.mid(0, last));
+  numbers[at] = this->nextPart(numbers.mid(0, at) + numbers.mid(at + 2));
+  numbers[at + 1] = 1.0;
   this->List->setScalars(numbers);
-  this->Table->setCurrentIndex(this->Table->model()->index(last / 2, 1));
+  this->Table->setCurrentIndex(this->Table->model()->index(row, 1));
 }
 
 QByteArray pqPartRows::array() const

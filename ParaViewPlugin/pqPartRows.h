@@ -39,7 +39,7 @@ public:
   QColor colorOf(double part) const;
 
 private:
-  void completeRow();
+  void completeRow(int row);
   QByteArray array() const;
   double nextPart(const QVariantList& numbers) const;
 
@@ -47,7 +47,6 @@ private:
   QByteArray Default;
   QPointer<pqScalarValueListPropertyWidget> List;
   QPointer<QTableView> Table;
-  int Known = 0; // numbers in the list
 };
 
 #endif
