@@ -81,6 +81,16 @@ vtkBoundingBox KnownBounds(vtkSMSourceProxy* source, unsigned int port)
   return source && pqExecutedSourceOf(source) ? BoundsOf(source, port) : vtkBoundingBox();
 }
 
+/// Of an array of points that a display shows.
+std::pair<double, double> RangeOf(vtkSMPVRepresentationProxy* display, const QByteArray& array)
+{
+  vtkPVDataInformation* data = display->GetRepresentedDataInformation();
+  vtkPVArrayInformation* values =
+    data ? data->GetArrayInformation(array.data(), vtkDataObject::POINT) : nullptr;
+  return values ? std::pair(values->GetComponentRange(0)[0], values->GetComponentRange(0)[1])
+                : std::pair(0.0, 0.0);
+}
+
 /// Whether the camera is among the points of a box.
 bool IsFromInside(const pqView* view, const vtkBoundingBox& box)
 {
@@ -424,6 +434,7 @@ void pqLook::colorBy(const Color& color, bool on)
     }
     else if (on)
     {
+      this->Fitted = RangeOf(display, color.Array);
       display->RescaleTransferFunctionToDataRange();
     }
     if (on && color.IsLogarithmic)
@@ -506,10 +517,13 @@ void pqLook::fitColors()
   const bool isLogarithmic = std::any_of(this->Colors.begin(), this->Colors.end(),
     [&](const Color& color)
     { return color.IsLogarithmic && color.Button->isChecked() && color.Array == array; });
-  if (isLogarithmic)
+  // None yet where ParaView is about to set another array.
+  const bool hasMap = isLogarithmic && vtkSMPropertyHelper(display, "LookupTable").GetAsProxy();
+  if (hasMap && this->Fitted != RangeOf(display, array))
   {
     SCOPED_UNDO_EXCLUDE();
-    display->RescaleTransferFunctionToDataRange();
+    this->Fitted = RangeOf(display, array);
+    display->RescaleTransferFunctionToDataRange(/*extend=*/false, /*force=*/false);
   }
   if (this->Names.contains(array))
   {

@@ -42,6 +42,8 @@
 #include <QPointer>
 #include <QSet>
 
+#include <utility>
+
 #include <vector>
 
 class QPushButton;
@@ -109,6 +111,7 @@ private:
   vtkWeakPointer<vtkSMProxy> Hidden; // the result
   bool WasShown = false;             // the model too
   vtkBoundingBox Framed;             // what the view showed last
+  std::pair<double, double> Fitted;  // the range of a logarithmic color map
   bool IsDrawn = true;               // since the camera was reset
   pqObservers Observers;             // of the result's display
   pqObservers FilterObservers;
