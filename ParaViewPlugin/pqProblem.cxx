@@ -84,6 +84,7 @@ pqProblem::pqProblem(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* 
   , Shown(new Visibility(this))
 {
   this->setShowLabel(false);
+  this->Note->setTextFormat(Qt::PlainText); // messages have names of arrays and files
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(this->Note);
@@ -226,11 +227,17 @@ void pqProblem::end()
   this->Old = this->Messages.size();
 }
 
-/// All that is known of the executions of a server.
+/// ParaView applies the panels of all filters. That is all that is known of executions of a server;
+/// filters of this process tell when they execute.
 void pqProblem::apply()
 {
-  this->end();
-  this->begin();
+  const pqPipelineSource* item = pqSourceOf(this->proxy());
+  if (!this->proxy()->GetClientSideObject() || !item ||
+    item->modifiedState() != pqProxy::UNMODIFIED)
+  {
+    this->end();
+    this->begin();
+  }
   this->pqPropertyWidget::apply();
 }
 
