@@ -46,6 +46,10 @@ public:
 
   void Hold()
   {
+    if (auto* other = HeldMessages::SafeDownCast(vtkOutputWindow::GetInstance()))
+    {
+      other->Give(); // the end of its drag was lost
+    }
     this->Window = vtkOutputWindow::GetInstance();
     vtkOutputWindow::SetInstance(this);
   }
@@ -55,7 +59,10 @@ public:
 
   void Give()
   {
-    vtkOutputWindow::SetInstance(this->Window);
+    if (vtkOutputWindow::GetInstance() == this)
+    {
+      vtkOutputWindow::SetInstance(this->Window);
+    }
     for (const QByteArray& warning : std::exchange(this->Last, {}))
     {
       this->Window->DisplayWarningText(warning);
