@@ -34,7 +34,7 @@
  * input.
  *
  * Output port 1: vtkTable, see vtkIterativeStyleAlgorithm, without a term of the filter's own. No
- * rows where no handle moves: the surface then stays as it is, to the bit.
+ * rows where no handle moves: the surface then stays as it is, bit for bit.
  *
  * With one handle the model moves as a whole. The result does not depend on what the handles were
  * before: it is that of a new filter.

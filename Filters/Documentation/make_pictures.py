@@ -100,9 +100,6 @@ PLAIN = {"NormalBlend": 0.0, "DetailSize": 0.0, "KeepSize": vtkSphericalStyleFil
 creature = model_files.read(ROOT / "Data" / "creature.vtp")
 cube = model_files.read(ROOT / "Data" / "cube.vtp")
 
-picture("before-after.png", (1000, 560), [[(creature, "before"), (rounded(creature), "after")]], 25.0, 17,
-        ground=True)
-
 picture("series.png", (1200, 810), [
     [(creature, "model")] + [
         (rounded(creature, Roundness=roundness, NormalBlend=blend), f"Roundness {roundness:g}, NormalBlend {blend:g}")

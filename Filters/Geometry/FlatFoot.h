@@ -23,7 +23,7 @@ double FootLevel(const TriangleMesh& mesh, int axis, double wanted, double deepe
 
 /// What is above a level, closed by flat triangles on it (a constrained Delaunay triangulation of
 /// the section, CGAL). Points of edges that the cut would leave shorter than a twentieth are moved
-/// onto the level instead, so that no sliver comes about. The foot is flat to the bit.
+/// onto the level instead, so that no sliver comes about. The foot is exactly flat.
 /// @param mesh  closed, a manifold
 /// @return empty where the section runs through itself
 DerivedSurface CutFlat(const TriangleMesh& mesh, int axis, double level);

@@ -45,7 +45,7 @@ struct Ground
 /// @param mesh  closed, facing outward; every triangle has an area
 /// @param thickness  length, above 0
 /// @param onStep  called before each step; what it throws ends all of it
-/// @return the points; those of the mesh, to the bit, where nothing is thinner
+/// @return the points; those of the mesh, bit for bit, where nothing is thinner
 Points ThickenWalls(
   const TriangleMesh& mesh, double thickness, int threads, const Ground& ground = {},
   const std::function<void()>& onStep = [] {});

@@ -24,8 +24,8 @@ struct ModelAtRest
   const Eigen::VectorXd* thickness; ///< n, or nullptr where the radius of the whole model counts
 };
 
-/// The result at some points. What points have at rest is theirs to the bit. What the whole surface
-/// says of the change comes from the samples of its grid, where all that varies smoothly is
+/// The result at some points. What points have at rest is theirs bit for bit. What the whole
+/// surface says of the change comes from the samples of its grid, where all that varies smoothly is
 /// expanded about the mean of a sample, and from probes, triangles that each stand for the same
 /// area:
 ///

@@ -28,8 +28,8 @@ Points HarmonicExtension(const VolumeMesh& rest, const std::vector<char>& isFixe
 
 /// Minimizes E = sum_c w_c psi(J_c) [untangle] over the inner points by Newton's method from
 /// HarmonicExtension, each step solved by conjugate gradients (BlockSystem). Exact for rigid
-/// motions of the boundary; nothing moves where nothing is displaced, to the bit. The same bits for
-/// any number of threads.
+/// motions of the boundary; nothing moves where nothing is displaced, bit for bit. The same bits
+/// for any number of threads.
 ///
 /// Whether no cell is inverted is for the caller to see: the best points found are returned.
 /// @param callback  of each step @throw SolveAborted
@@ -38,7 +38,7 @@ MorphedVolume MorphVolume(const VolumeMesh& rest, const std::vector<char>& isFix
 
 /// How much of the mesh at a point has turned [turn], for each point: the rotation closest to the
 /// sum of w_c J_c over the corners with that point. Corners that are flat at rest do not count; the
-/// identity where nothing does, and, to the bit, where no corner has moved.
+/// identity where nothing does, and, bit for bit, where no corner has moved.
 /// @param Q  n x 3, where the points are now
 Matrices VolumeRotations(const VolumeMesh& rest, const Points& Q, int threads);
 
