@@ -359,7 +359,7 @@ vtkFoundParts vtkSurfacePartsFilter::FindByShape(const vtkSurfaceMesh& surface)
     Warn(this,
       parts.count < this->NumberOfParts
         ? "NumberOfParts is " + std::to_string(this->NumberOfParts) + ", and there are " +
-          std::to_string(parts.count) + ": nothing more can be cut off"
+          std::to_string(parts.count) + ": nothing more can be cut off that has points of its own"
         : "NumberOfParts is " + std::to_string(this->NumberOfParts) + ", and there are " +
           std::to_string(parts.count) + ": so many do not hang together");
   }

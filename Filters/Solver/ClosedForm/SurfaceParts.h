@@ -57,10 +57,10 @@ struct SurfacePartsResult
 ///
 /// @param P  n x 3, in a frame of diagonal 1 @param F  m x 3, m > 0, facing outward
 /// @param callback  asked before each search for a cut, with its number
-/// @return fewer parts than wanted where nothing more can be cut off; more where there are more
-/// loose pieces. The same for any number of threads. @throw SolverError, SolveAborted
-/// Cost: a search takes some tenths of a second, whatever the number of triangles, and less in a
-/// small part; there are twice as many as parts.
+/// @return fewer parts than wanted where nothing more can be cut off, or a piece is smaller than
+/// the points are apart; more where there are more loose pieces. The same for any number of
+/// threads. @throw SolverError, SolveAborted Cost: a search takes some tenths of a second, whatever
+/// the number of triangles, and less in a small part; there are twice as many as parts.
 SurfacePartsResult FindParts(
   const Points& P, const Triangles& F, const PartsOptions& options, const Callback& callback = {});
 } // namespace SphericalStyle
