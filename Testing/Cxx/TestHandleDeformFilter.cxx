@@ -207,6 +207,23 @@ void PartsAndArrays(Checker& check)
   filter->SetComponentCouplingToIndependent();
   check(LargestDistanceInPart(eye, filter.Output(), first) == 0.0, "a part stays to the bit");
 
+  check.About("specks");
+  Watched<FilterType> alone(model);
+  alone->AddHandle(Pinned);
+  alone->AddHandle(Lifted);
+  const Surface result = Mapped(alone.Output(), [](const Vector& x) { return x; });
+  for (const double far : { 2.0, 30.0, 1e4 })
+  {
+    const Surface speck =
+      Shifted(MakeSurface({ { 0, 0, 0 }, { 1e-3, 0, 0 }, { 0, 1e-3, 0 } }, { { 0, 1, 2 } }),
+        { far, 0.3, 0.0 });
+    Watched<FilterType> beside(Together({ model, speck }));
+    beside->AddHandle(Pinned);
+    beside->AddHandle(Lifted);
+    check.AtMost(LargestDistanceInPart(result, beside.Output(), 0), 0.02,
+      "the model beside a speck at " + vtkVariant(far).ToString());
+  }
+
   check.About("array of handles");
   Watched<FilterType> expected(model);
   expected->AddHandle(Pinned);

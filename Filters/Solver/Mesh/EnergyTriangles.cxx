@@ -24,7 +24,8 @@ void AddStitches(const std::vector<Stitch>& stitches, Triangles& F, HalfEdgeScal
     F.row(f + 1) << s.v, s.u, s.u;
     for (const Eigen::Index end = f + 2; f < end; ++f)
     {
-      cotangents.row(f) << 0.0, 0.5 * StitchWeight, 0.5 * StitchWeight;
+      const double half = 0.5 * s.weight * StitchWeight;
+      cotangents.row(f) << 0.0, half, half;
     }
   }
 }

@@ -15,6 +15,9 @@ namespace SphericalStyle
 {
 namespace
 {
+constexpr double LongStitch = 10.0; // extents of the smaller part
+constexpr double LeastStitchWeight = 1e-6;
+
 /// Points joined so far, as numbers of groups.
 class Groups
 {
@@ -253,7 +256,8 @@ public:
     }
     const auto ends = [](const Stitch& s) { return std::make_pair(s.u, s.v); };
     std::sort(this->Stitches.begin(), this->Stitches.end(),
-      [&](const Stitch& a, const Stitch& b) { return ends(a) < ends(b); });
+      [&](const Stitch& a, const Stitch& b)
+      { return std::make_pair(ends(a), -a.weight) < std::make_pair(ends(b), -b.weight); });
     this->Stitches.erase(std::unique(this->Stitches.begin(), this->Stitches.end(),
                            [&](const Stitch& a, const Stitch& b) { return ends(a) == ends(b); }),
       this->Stitches.end());
@@ -279,6 +283,7 @@ private:
   {
     this->Group = this->Parts.OfPoints();
     this->Others.SetGroups(this->Group);
+    this->FindExtents();
     std::vector<Link> links;
     links.reserve(this->P.rows());
     for (int i = 0; i < this->P.rows(); ++i)
@@ -306,6 +311,18 @@ private:
       double& gap = this->Gap[this->Group[link.from]];
       gap = std::min(gap, link.length);
     }
+  }
+
+  void FindExtents()
+  {
+    std::vector<Eigen::AlignedBox3d> boxes(this->P.rows()); // of each group
+    for (Eigen::Index i = 0; i < this->P.rows(); ++i)
+    {
+      boxes[this->Group[i]].extend(this->P.row(i).transpose());
+    }
+    this->Extent.resize(boxes.size());
+    std::transform(boxes.begin(), boxes.end(), this->Extent.begin(),
+      [](const auto& box) { return box.isEmpty() ? 0.0 : box.diagonal().stableNorm(); });
   }
 
   double LargerGap(const Link& link) const
@@ -387,15 +404,21 @@ private:
 
   void Add(const Link& link)
   {
-    this->Stitches.push_back({ std::min(link.from, link.to), std::max(link.from, link.to) });
+    const double smaller =
+      std::min(this->Extent[this->Group[link.from]], this->Extent[this->Group[link.to]]);
+    const double ratio = LongStitch * smaller / link.length; // infinite or NaN where they touch
+    const double weight = ratio < 1.0 ? std::max(LeastStitchWeight, ratio * ratio) : 1.0;
+    this->Stitches.push_back(
+      { std::min(link.from, link.to), std::max(link.from, link.to), weight });
   }
 
   const Points& P;
   Eigen::VectorXd Lengths;
   Groups Parts;
   OtherGroups Others;
-  std::vector<int> Group;  // of each point
-  std::vector<double> Gap; // of each group
+  std::vector<int> Group;     // of each point
+  std::vector<double> Gap;    // of each group
+  std::vector<double> Extent; // of each group
   std::vector<Stitch> Stitches;
 };
 }

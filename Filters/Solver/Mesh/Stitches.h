@@ -20,6 +20,7 @@ struct Stitch
 {
   int u;
   int v;
+  double weight = 1.0; ///< of StitchWeight, above 0 to 1
 };
 
 /// Joins the parts of a model by its rest positions: few edges where parts touch or lie nearest,
@@ -33,6 +34,11 @@ struct Stitch
 /// joined counts as one part then, until there is one. Where two parts would hang on a hinge (all
 /// their stitches within h / 4 of a line), up to three are added from a reach that doubles until it
 /// is none.
+///
+/// The energy of an edge grows with the square of its length, and a speck that nothing else holds
+/// goes along with any weight: a stitch that is more than ten times as long as the smaller of the
+/// two parts has the weight (10 extent / length)^2, but at least 1e-6. Else one speck far away
+/// would brace a model.
 /// @param P  n x 3 @param F  m x 3 @param components  n, 0..K-1: the part of each point
 /// @return ascending, each once; none for one part. Depends on neither place, scale nor the order
 /// of
