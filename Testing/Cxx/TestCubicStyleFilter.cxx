@@ -83,6 +83,18 @@ void Creature(Checker& check, int argc, char* argv[])
   }
   std::cout << "\n";
 }
+
+/// A cube is at its minimum from the start.
+void Cube(Checker& check, int argc, char* argv[])
+{
+  check.About("cube");
+  const Surface cube = ReadModel(argc, argv, "cube.vtp");
+  Watched<FilterType> filter(cube);
+  check.AtMost(LargestDistance(cube, filter.Output()), 1e-7 * Diagonal(cube), "moved");
+  check(filter.Warnings.empty() && filter->GetConverged() && filter->GetNumberOfIterations() < 20,
+    "after " + vtkVariant(filter->GetNumberOfIterations()).ToString() +
+      " iterations: " + Joined(filter.Warnings));
+}
 }
 
 int TestCubicStyleFilter(int argc, char* argv[])
@@ -94,5 +106,6 @@ int TestCubicStyleFilter(int argc, char* argv[])
       "NumberOfThreads", "GenerateNormals", "NumberOfIterations", "Converged", "FinalEnergy" });
   CheckIteration<FilterType>(check, "Cubic");
   Creature(check, argc, argv);
+  Cube(check, argc, argv);
   return check.Result();
 }

@@ -78,9 +78,9 @@ double EstimateRest(const std::vector<double>& energies, std::size_t size)
   const double middle = energyAt(count / Ratio);
   const double earlier = energyAt(count / (Ratio * Ratio)) - middle;
   const double later = middle - energies[size - 1];
-  if (!(later > 0.0))
+  if (!(later > 1e-14 * std::abs(energies[size - 1])))
   {
-    return 0.0; // nothing moved any more
+    return 0.0; // nothing moved any more, but for rounding
   }
   return earlier > later ? Safety * later * later / (earlier - later)
                          : std::numeric_limits<double>::infinity();
@@ -129,11 +129,11 @@ double EstimateGap(const std::vector<double>& energies, double restEnergy)
   {
     above = std::max(above, EstimateRest(energies, size - 1));
   }
-  const double whole = restEnergy - energies.back() + above; // E_0 - E*
-  if (std::isinf(above))
+  if (std::isinf(above) || above == 0.0)
   {
     return above;
   }
+  const double whole = restEnergy - energies.back() + above; // E_0 - E*
   return whole > 0.0 ? above / whole : Unknown;
 }
 

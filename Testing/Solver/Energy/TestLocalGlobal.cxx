@@ -230,6 +230,12 @@ void TestConverged()
 void TestEstimateGap()
 {
   CHECK(std::isnan(EstimateGap({ 1.0 }, 2.0)), "one energy says nothing about the gap");
+  const double rounding = 5.0 * (1.0 - 1e-15);
+  for (const auto& still :
+    { std::vector<double>{ 5.0, 5.0, 5.0, 5.0 }, std::vector<double>{ 5.0, 5.0, 5.0, rounding } })
+  {
+    CHECK(EstimateGap(still, 5.0) == 0.0, "what began at its minimum has no gap");
+  }
   for (const double power : { 1.0, 2.0, 3.0 })
   {
     std::vector<double> energies;
