@@ -121,6 +121,7 @@ private:
   int PointOn(int u, int v);
   void KeepAbove(Eigen::Index f);
   Edges Borders() const;
+  bool IsOriented(std::vector<std::array<int, 3>> foot) const;
 
   const TriangleMesh& Mesh;
   int Axis;
@@ -202,6 +203,13 @@ FlatCut::Edges FlatCut::Borders() const
   return borders;
 }
 
+/// A solid in another one would become a hole of its foot.
+bool FlatCut::IsOriented(std::vector<std::array<int, 3>> foot) const
+{
+  foot.insert(foot.end(), this->Kept.begin(), this->Kept.end());
+  return FindOpenEdges(ToTriangles(foot)).misoriented == 0;
+}
+
 bool FlatCut::CloseFoot()
 {
   const Edges all = this->Borders();
@@ -210,10 +218,11 @@ bool FlatCut::CloseFoot()
   {
     return { this->P(i, (this->Axis + 2) % 3), this->P(i, (this->Axis + 1) % 3) };
   };
-  bool filled = FillPlanarPolygons(all, placeOf, foot);
+  bool filled = FillPlanarPolygons(all, placeOf, foot) && this->IsOriented(foot);
   if (!filled)
   {
-    // Parts that run through each other are closed one by one.
+    // Parts that run through each other, or lie in each other, are closed one by one.
+    foot.clear();
     const auto n = static_cast<int>(this->Mesh.P.rows());
     const std::vector<int> parts = MeshTopology(this->Mesh.F, n).GetComponents();
     std::map<int, Edges> borders;

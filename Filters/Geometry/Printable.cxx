@@ -399,13 +399,17 @@ PrintableResult MakePrintable(const TriangleMesh& mesh, const PrintableOptions& 
                                 "Extrusion");
   }
   result.before.thickness = FindWalls(mesh, options.threads).thickness.minCoeff();
+  const bool hasBase = result.before.footArea > 0.0;
+  const TriangleMesh standing = WithoutCut(mesh, options.axis, hasBase).surface.mesh;
+  // A flat base stays one.
+  const Ground ground = hasBase ? Ground{ options.axis, result.before.footLevel } : Ground();
   StandAndScale(mesh, options, false, result);
   // Walls are made thicker before, so by more where the model becomes smaller.
   double wanted = options.thickness / result.factor;
   double reached = result.thickness.minCoeff();
   for (int k = 0; k < Thickenings && result.thickness.minCoeff() < options.thickness; ++k)
   {
-    const Points P = ThickenWalls(mesh, wanted, options.threads, {}, options.onStep);
+    const Points P = ThickenWalls(standing, wanted, options.threads, ground, options.onStep);
     result.thickened = (P - mesh.P).rowwise().norm().maxCoeff();
     StandAndScale({ P, mesh.F }, options, true, result);
     const double next = options.thickness / result.factor;

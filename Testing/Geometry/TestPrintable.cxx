@@ -411,6 +411,37 @@ void TestThickResult()
     "thick enough after it was scaled: " << kept.after.thickness);
 }
 
+/// What lies flat still does when it becomes thicker.
+void TestFlatBase()
+{
+  const TriangleMesh plate = Meshes::Box(20, { 1.0, 1.0, 0.05 });
+  PrintableOptions options;
+  options.axis = 2;
+  options.thickness = 0.2;
+  options.footArea = options.stabilityAngle = 0.0;
+  options.height = 0.2;
+  const PrintableResult made = MakePrintable(plate, options);
+  CHECK_NEAR(made.before.footArea, 4.0, 1e-12, "foot of the plate before");
+  CHECK(made.after.footArea > 4.0 && made.after.thickness >= 0.2,
+    "foot of the plate: " << made.after.footArea << ", thickness " << made.after.thickness);
+}
+
+/// A solid that lies in another one is closed where it is cut, as one that runs through it is.
+void TestNested()
+{
+  const TriangleMesh ball = Meshes::Icosphere(4);
+  for (const double inner : { 0.5, 0.98, 0.99, 0.995 })
+  {
+    const TriangleMesh both =
+      Meshes::Together({ ball, Meshes::Scaled(ball, inner * Eigen::Vector3d::Ones()) });
+    PrintableOptions options;
+    const PrintableResult made = MakePrintable(both, options);
+    CHECK(IsClosed(made.surface.mesh), "balls in each other are closed");
+    CHECK_NEAR(EnclosedVolume(made.surface.mesh.P, made.surface.mesh.F),
+      EnclosedVolume(both.P, both.F), 1e-9, "their volume");
+  }
+}
+
 /// Near a tip, where short edges are not cut, the foot is somewhat larger than wanted: it must not
 /// be a point.
 void TestTip()
@@ -591,6 +622,8 @@ int main()
   TestLean();
   TestWalls();
   TestThickResult();
+  TestFlatBase();
+  TestNested();
   TestTip();
   TestOutOfReach();
   TestHoles();
