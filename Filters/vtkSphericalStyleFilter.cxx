@@ -837,8 +837,7 @@ void vtkSphericalStyleFilter::Review(Internals& internal, const Execution& e)
   const vtkStyleReview::Remarks remarks = internal.Review.Review(e.Surface(),
     internal.Solver.GetMeshGeneration(), e.Q, e.Options, e.Report,
     { this->AvoidSelfIntersections, this->RefineLongEdges == vtkLongEdges::NEVER,
-      e.Model.SplitShare, e.Rest ? SphericalStyle::ModelFacts() : e.Model.Facts, true,
-      e.Guarded.Guard.meanShare });
+      e.Model.SplitShare, e.Rest ? SphericalStyle::ModelFacts() : e.Model.Facts });
   Warn(this, remarks.Thinned);
   this->Advice =
     this->ReproduceThesis || !e.IsFirst() ? "" : remarks.Advice; // the thesis is to be as it is

@@ -49,6 +49,8 @@ MethodOptions WithShares(MethodOptions options, const Eigen::VectorXd& shares)
   return options;
 }
 
+constexpr double LittleLeft = 0.3; // of Roundness
+
 void AddBeforeAfter(vtkFieldData* data, const char* name, int before, int after)
 {
   vtkNew<vtkIntArray> array;
@@ -93,10 +95,17 @@ Result Solve(SphericalStyleMethod& solver, const MethodOptions& wanted,
 
 std::string Remark(const Result& result)
 {
-  return result.Guard.blended
-    ? "AvoidSelfIntersections: less roundness alone did not remove all folds; the result was "
-      "moved back toward the input where they were, or all over"
-    : "";
+  if (result.Guard.blended)
+  {
+    return "AvoidSelfIntersections: less roundness alone did not remove all folds; the result was "
+           "moved back toward the input where they were, or all over";
+  }
+  const int percent = static_cast<int>(100.0 * result.Guard.meanShare);
+  return result.Guard.meanShare < LittleLeft ? "AvoidSelfIntersections leaves " +
+      (percent > 0 ? std::to_string(percent) : std::string("less than 1")) +
+      " % of Roundness, in the mean over the surface, since the model folds where it becomes "
+      "rounder (RemainingRoundness). Another preset may fold less"
+                                             : "";
 }
 
 void Fill(vtkTable* table, const Result& result)

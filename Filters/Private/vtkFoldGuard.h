@@ -38,7 +38,7 @@ Result Solve(SphericalStyle::SphericalStyleMethod& solver,
   const std::shared_ptr<const SphericalStyle::TriangleMesh>& rest, bool singlePrecision,
   const Finish& finish, const SphericalStyle::Callback& callback);
 
-/// The warning where less roundness alone was not enough; else empty.
+/// The warning where less roundness alone was not enough, or hardly any is left; else empty.
 std::string Remark(const Result& result);
 
 /// What it did, as field data; nothing where it has not counted.

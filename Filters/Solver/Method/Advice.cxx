@@ -36,7 +36,6 @@ constexpr double FacingAwayLimit = 0.3;
 /// less. Closed ones with 1 % and more look as they should. Of 33 models at Toy whose folds are
 /// avoided, two that crumple have 1.8 and 2.6 %, the others .8 % or less.
 constexpr double CreasedLimit = 0.01;
-constexpr double LittleLeft = 0.1; // of Roundness
 /// Length of the border over the square root of the area: open shells have 1 or more, a figure with
 /// a hole .1, a cut bust .7.
 constexpr double BorderLimit = 1.0;
@@ -403,12 +402,6 @@ std::string Advise(const MethodOptions& o, const SurfaceFacts& surface, const Re
     { turned && choices.canAvoidFolds && !choices.avoidsFolds,
       "AvoidSelfIntersections On: " + turnedOver },
     { turned && o.lambda > LeastRoundness, "Roundness " + lessRoundness + ": " + turnedOver },
-    { choices.avoidsFolds && choices.keptShare < LittleLeft,
-      "AvoidSelfIntersections leaves " +
-        (choices.keptShare < 0.005 ? "less than 1 %" : Percent(choices.keptShare)) +
-        " of Roundness: this model folds wherever it becomes round. Switch it off, or try the "
-        "filter "
-        "Convex Proxy Deform" },
     { creased && IsOpen(surface) && !result.blendsByArray && o.normalBlend > 0.0,
       "NormalBlend 0: this open shell crumples when rounded limb by limb, on " +
         Percent(result.creasedShare) + " of its area" },

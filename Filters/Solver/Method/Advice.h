@@ -82,7 +82,6 @@ struct AdviceChoices
   double splitShare = 0.0;
   ModelFacts model;
   bool canAvoidFolds = true; ///< AvoidSelfIntersections is there
-  double keptShare = 1.0;    ///< of lambda, what AvoidSelfIntersections left in the mean
 };
 
 /// The one change that helps most, and the fact that says so, as "Property Value: fact", in one

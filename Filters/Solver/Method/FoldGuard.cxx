@@ -3,7 +3,9 @@
 #include "FoldGuard.h"
 
 #include "DeformationMeasures.h"
+#include "Frame.h"
 #include "OneRings.h"
+#include "Stitches.h"
 #include "SurfaceMeasures.h"
 
 #include <algorithm>
@@ -20,17 +22,17 @@ namespace
 using Pair = std::array<int, 2>;
 
 // Octaves: a share s is kept as log2 s, 0 or less.
-constexpr double Slope = 3.0;       ///< most octaves over the diagonal: limbs move as a whole
-constexpr double LocalSlope = 25.0; ///< the same of the last resort, where the way is short
-constexpr double Lowering = 1.0;    ///< where something folds
-constexpr double Hurry = 2.0;       ///< the same, where much folds or it takes long
-constexpr double Raising = 1.0;     ///< where there is room
-constexpr double Correction = 0.5;  ///< where raising was too much
-constexpr double NoGain = 0.1;      ///< less is not worth a solve
-constexpr int Corrections = 3;      ///< before a raising is given up
-constexpr double ManyFolds = 0.25;  ///< of the triangles
-constexpr int LongTime = 8;         ///< rounds
-constexpr double LockWidth = 0.03;  ///< of the diagonal: no further raising around a new fold
+constexpr double Slope = 3.0;         ///< most octaves over the diagonal: limbs move as a whole
+constexpr double LocalSlope = 25.0;   ///< the same of the last resort, where the way is short
+constexpr double LocalLowering = 1.0; ///< and where something folds then
+constexpr double Lowering = 0.5;      ///< of all, in the first rounds
+constexpr double Hurry = 2.0;         ///< of all, in further ones
+constexpr int FineLowerings = 6;      ///< first rounds
+constexpr double Raising = 1.0;       ///< where there is room
+constexpr double Correction = 0.5;    ///< where raising was too much
+constexpr double NoGain = 0.1;        ///< less is not worth a solve
+constexpr int Corrections = 3;        ///< before a raising is given up
+constexpr double LockWidth = 0.03;    ///< of the diagonal: no further raising around a new fold
 
 Eigen::VectorXd Shares(const Eigen::VectorXd& octaves)
 {
@@ -61,7 +63,16 @@ public:
         HalfEdgeScalars::Zero(rest.F.rows(), 3))
     , Diagonal((rest.P.colwise().maxCoeff() - rest.P.colwise().minCoeff()).stableNorm())
     , Weights(PointAreas(rest.P, rest.F) / PointAreas(rest.P, rest.F).sum())
+    , Stitched(rest.P.rows())
   {
+    // Parts that share no edge are to move with their surroundings, too.
+    const MeshTopology topology(rest.F, static_cast<int>(rest.P.rows()));
+    for (const Stitch& s :
+      FindStitches(FrameOf(rest.P).Into(rest.P), rest.F, topology.GetComponents()))
+    {
+      this->Stitched[s.u].push_back(s.v);
+      this->Stitched[s.v].push_back(s.u);
+    }
   }
 
   /// The largest field that is nowhere above the given one (0 or less) and whose slope along the
@@ -85,17 +96,21 @@ public:
       {
         continue; // was lowered since
       }
-      for (const OneRings::Neighbor& neighbor : this->Rings[i])
+      const auto reach = [&, from = i, start = value](int j)
       {
-        const int j = neighbor.point;
-        const double length = (this->Mesh.P.row(i) - this->Mesh.P.row(j)).norm();
-        const double bound = value + slope * length / this->Diagonal;
+        const double length = (this->Mesh.P.row(from) - this->Mesh.P.row(j)).norm();
+        const double bound = start + slope * length / this->Diagonal;
         if (bound < field(j))
         {
           field(j) = bound;
           queue.push({ bound, j });
         }
+      };
+      for (const OneRings::Neighbor& neighbor : this->Rings[i])
+      {
+        reach(neighbor.point);
       }
+      std::for_each(this->Stitched[i].begin(), this->Stitched[i].end(), reach);
     }
     return field;
   }
@@ -131,6 +146,7 @@ private:
   OneRings Rings;
   double Diagonal;
   Eigen::VectorXd Weights;
+  std::vector<std::vector<int>> Stitched; // points of other parts
 };
 
 /// One run of [guard].
@@ -151,7 +167,7 @@ public:
 private:
   void SolveAt(const Eigen::VectorXd& field);
   bool Try(const Eigen::VectorXd& field);
-  void Lower(const OctaveFields& fields);
+  void Lower();
   void Raise(const OctaveFields& fields);
   bool Correct(const OctaveFields& fields, Eigen::VectorXd& field, Eigen::VectorXd& lock);
   void Blend(const OctaveFields& fields);
@@ -187,14 +203,15 @@ bool Guard::Try(const Eigen::VectorXd& field)
   return !this->Found.Any();
 }
 
-void Guard::Lower(const OctaveFields& fields)
+/// The same share everywhere, so that the model moves as a whole, and ever less until nothing
+/// folds.
+void Guard::Lower()
 {
+  double octaves = 0.0;
   for (int round = 0; round < this->Options.lowerings; ++round)
   {
-    const double share =
-      static_cast<double>(this->Found.triangles.size()) / static_cast<double>(this->Rest.F.rows());
-    const bool hurry = share > ManyFolds || round >= LongTime;
-    this->Field = fields.Lower(this->Field, this->Found.triangles, hurry ? Hurry : Lowering, Slope);
+    octaves += round < FineLowerings ? Lowering : Hurry;
+    this->Field.setConstant(-octaves);
     if (this->Try(this->Field) || this->Report.aborted)
     {
       return;
@@ -262,7 +279,7 @@ void Guard::Blend(const OctaveFields& fields)
   Eigen::VectorXd field = Eigen::VectorXd::Zero(this->Field.size());
   for (int round = 0; round < this->Options.blends && this->Found.Any(); ++round)
   {
-    field = fields.Lower(field, this->Found.triangles, Lowering, LocalSlope);
+    field = fields.Lower(field, this->Found.triangles, LocalLowering, LocalSlope);
     this->Found = this->Finder.Find(this->Blended(Shares(field)));
   }
   const Eigen::VectorXd local = Shares(field);
@@ -285,7 +302,7 @@ FoldGuardReport Guard::Run()
   if (!clean && !this->Report.aborted)
   {
     const OctaveFields fields(this->Rest);
-    this->Lower(fields);
+    this->Lower();
     if (this->Found.Any() && !this->Report.aborted)
     {
       this->Blend(fields);

@@ -79,11 +79,11 @@ struct FoldGuardReport
   bool aborted = false; ///< somebody asked to end: there are no positions
 };
 
-/// Deforms without folds [guard]. Where triangles turn over or newly intersect, lambda is halved
-/// and the model solved again, at most `lowerings` times; then it grows again where that brings
-/// nothing back. Shares differ by no more than a factor of 2 over a third of the diagonal along
-/// the edges. If folds are left, the result goes back to the rest shape, first where they are and
-/// then all over: there it has none.
+/// Deforms without folds [guard]. Where triangles turn over or newly intersect, lambda is lowered
+/// everywhere and the model solved again, at most `lowerings` times; then it grows again where that
+/// brings nothing back. Shares differ by no more than a factor of 2 over a third of the diagonal
+/// along edges and stitches. If folds are left, the result goes back to the rest shape, first where
+/// they are and then all over: there it has none.
 /// @param rest  every triangle has an area
 /// Cost: at most lowerings + raisings + 1 solves and searches, 2 * blends searches more with the
 /// last resort, and one solve if the last trial was not the best; one of each where nothing folds.

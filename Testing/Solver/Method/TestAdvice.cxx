@@ -299,15 +299,9 @@ void TestOrder()
   expect("SphericalWeighting Cotangent: 53 % of the triangles are obtuse"); // there is no less
   options.lambda = 1.2;
   result.turnedOverShare = 0.0;
-  choices.keptShare = 0.1;
-  expect("SphericalWeighting Cotangent: 53 % of the triangles are obtuse");
-  choices.keptShare = 0.02;
-  expect("AvoidSelfIntersections leaves 2 % of Roundness: this model folds wherever it becomes "
-         "round. Switch it off, or try the filter Convex Proxy Deform");
   choices.avoidsFolds = false;
   expect("SphericalWeighting Cotangent: 53 % of the triangles are obtuse"); // it is closed
   choices.avoidsFolds = true;
-  choices.keptShare = 1.0;
   options.lambda = 0.5;
   result.turnedOverShare = 0.123;
   surface.border = 1.0;

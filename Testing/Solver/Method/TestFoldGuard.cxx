@@ -291,8 +291,12 @@ void TestNoGain()
       {
         return folded;
       }
-      accepted = solves == 2 ? shares : accepted;
-      return shares(point) > 0.55 && shares(others[0]) > 0.38 ? foldedElsewhere : mesh.P;
+      if (shares(point) > 0.55)
+      {
+        return foldedElsewhere;
+      }
+      accepted = accepted.size() == 0 ? shares : accepted;
+      return mesh.P;
     });
   CHECK(solves > 5, "it should be tried to raise, there were " << solves << " solves");
   CHECK(!report.after.Any() && !report.blended, "no folds");
