@@ -233,10 +233,10 @@ std::string TransformText(const Points& P, int upAxis)
   Eigen::Matrix<double, 4, 3> transform = Eigen::Matrix<double, 4, 3>::Zero();
   for (int k = 0; k < 3; ++k)
   {
-    const int axis = (upAxis + 1 + k) % 3;
+    const auto [axis, sign] = PlateAxes(upAxis)[k];
     const double low = P.col(axis).minCoeff();
-    transform(axis, k) = 1.0;
-    transform(3, k) = k == 2 ? -low : -0.5 * low - 0.5 * P.col(axis).maxCoeff();
+    transform(axis, k) = sign;
+    transform(3, k) = k == 2 ? -low : -sign * (0.5 * low + 0.5 * P.col(axis).maxCoeff());
   }
   std::string text;
   for (int i = 0; i < 4; ++i)

@@ -131,7 +131,8 @@ Points OnPlate(const Points& P, int axis)
   Points placed(P.rows(), 3);
   for (int k = 0; k < 3; ++k)
   {
-    const auto x = P.col((axis + 1 + k) % 3);
+    const PlateAxis from = PlateAxes(axis)[k];
+    const Eigen::VectorXd x = from.Sign * P.col(from.Axis);
     placed.col(k) = x.array() - (k == 2 ? x.minCoeff() : 0.5 * (x.minCoeff() + x.maxCoeff()));
   }
   return placed;

@@ -126,8 +126,9 @@ public:
   ///@{
   /**
    * Turn the result so that z points up, as programs for printers have it, with the foot on z = 0
-   * and the middle of the bounds at x = y = 0. Default off: it stays where it is. vtk3MFWriter does
-   * the same to what it writes where x or y points up, so it is for other formats, and for z.
+   * and the middle of the bounds at x = y = 0. Where y points up, what faces z then faces -y, their
+   * front. Default off: it stays where it is. vtk3MFWriter does the same to what it writes where x
+   * or y points up, so it is for other formats, and for z.
    */
   vtkSetMacro(PlaceOnPlate, bool);
   vtkGetMacro(PlaceOnPlate, bool);

@@ -331,4 +331,13 @@ std::string Triple(const double* x)
   text << "(" << x[0] << ", " << x[1] << ", " << x[2] << ")";
   return text.str();
 }
+
+std::array<PlateAxis, 3> PlateAxes(int upAxis)
+{
+  if (upAxis == 1)
+  {
+    return { { { 0, 1.0 }, { 2, -1.0 }, { 1, 1.0 } } };
+  }
+  return { { { (upAxis + 1) % 3, 1.0 }, { (upAxis + 2) % 3, 1.0 }, { upAxis, 1.0 } } };
+}
 }

@@ -8,6 +8,7 @@
 #include "vtkSmartPointer.h" // for what is made
 #include "vtkType.h"         // for vtkIdType
 
+#include <array>
 #include <exception>
 #include <functional>
 #include <string>
@@ -112,6 +113,17 @@ std::string Count(vtkIdType n, const char* noun);
 /// For PrintSelf.
 const char* OnOff(bool on);
 std::string Triple(const double* x);
+
+/// An axis of the model, and the direction along it.
+struct PlateAxis
+{
+  int Axis;
+  double Sign;
+};
+
+/// What become x, y and z where a model is turned so that z points up, as programs for printers
+/// have it. Where y points up, what faces z then faces -y, their front.
+std::array<PlateAxis, 3> PlateAxes(int upAxis);
 }
 
 #endif

@@ -133,6 +133,16 @@ void CheckPlaces(Checker& check)
   check(printed.Get()->GetFactor() == printed.Entry("Factor") && printed.Entry("Factor") > 1.0,
     "how much larger it is");
   check(bounds[4] == 0.0 && std::abs(bounds[5] - 60.0) < 1e-5, "z points up, from 0 to the height");
+  Printed nosed(Together({ ball, Shifted(MakeEllipsoid({ 0.1, 0.1, 0.1 }), { 0.0, 0.0, 9.0 }) }));
+  nosed.Get()->PlaceOnPlateOn();
+  nosed.Output()->GetBounds(bounds);
+  check(bounds[3] - bounds[2] > 3.0 * (bounds[1] - bounds[0]), "what was along z is along y");
+  for (vtkIdType i = 0; i < nosed.Output()->GetNumberOfPoints(); ++i)
+  {
+    const Vector p = PointOf(nosed.Output(), i);
+    check(
+      std::abs(p[0]) < 0.5 || p[1] > 0.0, "what faced z faces the front, and the ball is behind");
+  }
   check(std::abs(bounds[0] + bounds[1]) < 1e-5 && std::abs(bounds[2] + bounds[3]) < 1e-5,
     "in the middle of the plate");
   check(printed.Entry("TiltAngle", "Before") < 0.0 && printed.Entry("TiltAngle") >= 10.0,
