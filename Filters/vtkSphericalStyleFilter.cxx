@@ -830,6 +830,12 @@ void vtkSphericalStyleFilter::Review(Internals& internal, const Execution& e)
     Warn(this, e.IsFirst() ? warning : "");
   }
   Warn(this, vtkFoldGuard::Remark(e.Guarded));
+  const Eigen::Vector3d& lengths = e.Options.shape.lengths;
+  const bool usesLengths = this->Target != SPHERE && this->Target != TARGET_MESH;
+  if (usesLengths && e.IsFirst() && lengths.minCoeff() < 0.1 * (1.0 - 1e-9) * lengths.maxCoeff())
+  {
+    Warn(this, "TargetLengths: what is shorter than a tenth of the longest counts as a tenth");
+  }
   if (!e.HasTriangles() || e.Report.loop.aborted)
   {
     return;

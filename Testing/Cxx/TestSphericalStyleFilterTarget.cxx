@@ -308,6 +308,20 @@ void Says(Checker& check)
   expectError("TargetLengths must be", [](Filter* f) { f->SetTargetLengths(1.0, 0.0, 1.0); });
   expectError("TargetLengths must be", [](Filter* f) { f->SetTargetLengths(1.0, -1.0, 1.0); });
   expectError("TargetLengths must be", [](Filter* f) { f->SetTargetLengths(1.0, NAN, 1.0); });
+  for (const double shortest : { 0.0999, 0.1 })
+  {
+    check.About("a short target");
+    Watched<Filter> filter(Body());
+    filter->SetTargetToEllipsoid();
+    filter->SetTargetLengths(1.0, 1.0, shortest);
+    filter.Output();
+    check(filter.Warnings.size() == (shortest < 0.1 ? 1 : 0),
+      "the warning of a length below a tenth" + Joined(filter.Warnings));
+    filter.Warnings.clear();
+    filter->SetTargetToSphere();
+    filter.Output();
+    check(filter.Warnings.empty(), "the sphere has no lengths" + Joined(filter.Warnings));
+  }
   expectError("ReproduceThesis",
     [](Filter* f)
     {
