@@ -349,6 +349,23 @@ int vtkPrintableFilter::RequestWholeData(
   return RunGuarded(this, outputVector, [&] { return this->Execute(inputVector, outputVector); });
 }
 
+void vtkPrintableFilter::CheckProperties() const
+{
+  Require(!std::isnan(this->FootArea), "FootArea", "a number from 0 to 1", this->FootArea);
+  Require(!std::isnan(this->StabilityAngle), "StabilityAngle", "a number from 0 to 45",
+    this->StabilityAngle);
+  for (const auto& [name, value] : { std::make_pair("MinimumThickness", this->MinimumThickness),
+         std::make_pair("Volume", this->Volume), std::make_pair("Height", this->Height) })
+  {
+    Require(value >= 0.0 && std::isfinite(value), name, "0 or more", value);
+  }
+  if (this->Volume > 0.0 && this->Height > 0.0)
+  {
+    throw std::invalid_argument(
+      "Volume and Height: the model cannot be scaled to both; set one of them to 0");
+  }
+}
+
 int vtkPrintableFilter::Execute(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -363,19 +380,7 @@ int vtkPrintableFilter::Execute(
   {
     return 1;
   }
-  Require(!std::isnan(this->FootArea), "FootArea", "a number from 0 to 1", this->FootArea);
-  Require(!std::isnan(this->StabilityAngle), "StabilityAngle", "a number from 0 to 45",
-    this->StabilityAngle);
-  for (const auto& [name, value] : { std::make_pair("MinimumThickness", this->MinimumThickness),
-         std::make_pair("Volume", this->Volume), std::make_pair("Height", this->Height) })
-  {
-    Require(value >= 0.0 && std::isfinite(value), name, "0 or more", value);
-  }
-  if (this->Volume > 0.0 && this->Height > 0.0)
-  {
-    throw std::invalid_argument(
-      "Volume and Height: the model cannot be scaled to both; set one of them to 0");
-  }
+  this->CheckProperties();
   const vtkSurfaceMesh surface = vtkSurfaceMeshConversion::FromPolyData(input, true);
   vtkSurfaceMeshConversion::CheckArrays(input); // new points take values from all of them
   Warn(this, vtkSurfaceMeshConversion::FannedRemark(surface));

@@ -173,6 +173,8 @@ private:
   vtkPrintableFilter(const vtkPrintableFilter&) = delete;
   void operator=(const vtkPrintableFilter&) = delete;
 
+  /// @throw std::invalid_argument that names one
+  void CheckProperties() const;
   /// RequestData, which turns what this throws into a message.
   int Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 

@@ -751,7 +751,7 @@ SurfaceGrid::SurfaceGrid(
       continue;
     }
     // Each cell has a function of its own, so that there are at least as many.
-    double functions = static_cast<double>(cells->size());
+    auto functions = static_cast<double>(cells->size());
     if (functions <= MaximumNumberOfFunctions)
     {
       this->NumberFunctions(*cells);
