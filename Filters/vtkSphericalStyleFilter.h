@@ -480,7 +480,7 @@ public:
    * of the output. What the input has already stays. With NormalBlend 0 on models without thin
    * parts it rarely changes anything: then the result has the same bits as without. Off with
    * ReproduceThesis. Cost: a search for self-intersections, and where it finds
-   * some up to 26 solves and 30 searches, usually 4 to 10. Needs CGAL: an error in libraries built
+   * some up to 26 solves and 30 searches, usually 4 to 20. Needs CGAL: an error in libraries built
    * without it. Default off.
    */
   vtkSetMacro(AvoidSelfIntersections, bool);

@@ -43,7 +43,6 @@
 #include <QSet>
 
 #include <utility>
-
 #include <vector>
 
 class QPushButton;

@@ -95,17 +95,24 @@ Result Solve(SphericalStyleMethod& solver, const MethodOptions& wanted,
 
 std::string Remark(const Result& result)
 {
+  if (!result.HasCounted())
+  {
+    return {};
+  }
   if (result.Guard.blended)
   {
     return "AvoidSelfIntersections: less roundness alone did not remove all folds; the result was "
            "moved back toward the input where they were, or all over";
   }
+  if (result.Guard.meanShare >= LittleLeft)
+  {
+    return {};
+  }
   const int percent = static_cast<int>(100.0 * result.Guard.meanShare);
-  return result.Guard.meanShare < LittleLeft ? "AvoidSelfIntersections leaves " +
-      (percent > 0 ? std::to_string(percent) : std::string("less than 1")) +
-      " % of Roundness, in the mean over the surface, since the model folds where it becomes "
-      "rounder (RemainingRoundness). Another preset may fold less"
-                                             : "";
+  return "AvoidSelfIntersections leaves " +
+    (percent > 0 ? std::to_string(percent) : std::string("less than 1")) +
+    " % of Roundness, in the mean over the surface, since the model folds where it becomes "
+    "rounder (RemainingRoundness). Another preset may fold less";
 }
 
 void Fill(vtkTable* table, const Result& result)
