@@ -59,14 +59,13 @@ class OctaveFields
 public:
   explicit OctaveFields(const TriangleMesh& rest)
     : Mesh(rest)
-    , Rings(MeshTopology(rest.F, static_cast<int>(rest.P.rows())),
-        HalfEdgeScalars::Zero(rest.F.rows(), 3))
     , Diagonal((rest.P.colwise().maxCoeff() - rest.P.colwise().minCoeff()).stableNorm())
     , Weights(PointAreas(rest.P, rest.F) / PointAreas(rest.P, rest.F).sum())
     , Stitched(rest.P.rows())
   {
-    // Parts that share no edge are to move with their surroundings, too.
     const MeshTopology topology(rest.F, static_cast<int>(rest.P.rows()));
+    this->Rings = OneRings(topology, HalfEdgeScalars::Zero(rest.F.rows(), 3));
+    // Parts that share no edge are to move with their surroundings, too.
     for (const Stitch& s :
       FindStitches(FrameOf(rest.P).Into(rest.P), rest.F, topology.GetComponents()))
     {
