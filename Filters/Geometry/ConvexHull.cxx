@@ -5,11 +5,11 @@
 #include "SurfaceMesh.h"
 
 #include <CGAL/Convex_hull_traits_adapter_2.h>
-#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/convex_hull_3.h>
-#include <CGAL/convex_hull_3_to_face_graph.h>
 #include <CGAL/property_map.h>
 
 #include <Eigen/Eigenvalues>
@@ -22,6 +22,7 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace SphericalStyle
@@ -31,8 +32,6 @@ namespace
 // How far the hull may stay inside of a point, as a fraction of the extent: what double precision
 // leaves of planes that do not lie along the axes, also far from the origin.
 constexpr double FlatnessNoise = 1e-10;
-// Two opposite circles of n points have n^2 tetrahedra.
-constexpr std::size_t MostForDelaunay = 5000;
 
 /// Axes of the points around their mean, the longest extent first.
 Points PrincipalCoordinates(const Points& P)
@@ -113,21 +112,23 @@ TriangleMesh HullPolygon(const Points& P, const Points& principal)
   return mesh;
 }
 
+/// Exactly: whether the two triangles at an edge lie in different planes.
+bool IsSharp(const SurfaceMesh& mesh, SurfaceMesh::Halfedge_index h)
+{
+  const auto opposite = [&mesh](SurfaceMesh::Halfedge_index g)
+  { return mesh.point(mesh.target(mesh.next(g))); };
+  return !CGAL::coplanar(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), opposite(h),
+    opposite(mesh.opposite(h)));
+}
+
 /// The corners of a closed convex surface: points where three planes or more meet.
 std::vector<Point3> CornersOf(const SurfaceMesh& mesh)
 {
-  // Exactly: whether the two triangles at an edge lie in different planes.
-  const auto isSharp = [&mesh](SurfaceMesh::Halfedge_index h)
-  {
-    const auto opposite = [&mesh](SurfaceMesh::Halfedge_index g)
-    { return mesh.point(mesh.target(mesh.next(g))); };
-    return !CGAL::coplanar(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), opposite(h),
-      opposite(mesh.opposite(h)));
-  };
   std::vector<Point3> corners;
   for (const auto v : mesh.vertices())
   {
     const auto around = CGAL::halfedges_around_target(v, mesh);
+    const auto isSharp = [&mesh](SurfaceMesh::Halfedge_index h) { return IsSharp(mesh, h); };
     if (std::count_if(around.begin(), around.end(), isSharp) >= 3)
     {
       corners.push_back(mesh.point(v));
@@ -136,20 +137,101 @@ std::vector<Point3> CornersOf(const SurfaceMesh& mesh)
   return corners;
 }
 
-/// CGAL's hull goes by addresses in memory: which triangles it puts into a flat facet, and which
-/// points inside of it become vertices, would differ in each process and so would everything
-/// behind. Corners are unique, and so is the Delaunay triangulation of points in order.
-SurfaceMesh DelaunayHull(std::vector<Point3> corners)
+/// The Delaunay triangles of the corners of a flat facet, in ascending order.
+/// @param triangle  three of them, oriented as the facet is
+std::vector<std::array<std::size_t, 3>> FacetTriangles(const std::vector<Point3>& corners,
+  const std::vector<std::size_t>& facet, const std::array<std::size_t, 3>& triangle)
 {
-  std::sort(corners.begin(), corners.end());
-  SurfaceMesh mesh;
-  if (corners.size() > MostForDelaunay)
+  using Point2 = Kernel::Point_2;
+  using Triangulation = CGAL::Delaunay_triangulation_2<Kernel,
+    CGAL::Triangulation_data_structure_2<
+      CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>>>;
+  const Point3& a = corners[triangle[0]];
+  const Kernel::Vector_3 normal =
+    CGAL::cross_product(corners[triangle[1]] - a, corners[triangle[2]] - a);
+  std::array<int, 3> axes = { 0, 1, 2 };
+  std::sort(axes.begin(), axes.end(),
+    [&](int i, int k) { return std::abs(normal[i]) > std::abs(normal[k]); });
+  // Leaving out a coordinate rounds nothing.
+  for (const int axis : axes)
   {
-    CGAL::convex_hull_3(corners.begin(), corners.end(), mesh);
-    return mesh;
+    const auto flat = [&](std::size_t i)
+    { return Point2(corners[i][(axis + 1) % 3], corners[i][(axis + 2) % 3]); };
+    const auto side = CGAL::orientation(flat(triangle[0]), flat(triangle[1]), flat(triangle[2]));
+    if (side == CGAL::COLLINEAR)
+    {
+      continue; // the facet is upright
+    }
+    Triangulation triangulation;
+    for (const std::size_t i : facet)
+    {
+      triangulation.insert(flat(i))->info() = i;
+    }
+    std::vector<std::array<std::size_t, 3>> triangles;
+    for (const auto f : triangulation.finite_face_handles())
+    {
+      triangles.push_back({ f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info() });
+      if (side == CGAL::RIGHT_TURN)
+      {
+        std::swap(triangles.back()[0], triangles.back()[1]);
+      }
+    }
+    return triangles;
   }
-  const CGAL::Delaunay_triangulation_3<Kernel> triangulation(corners.begin(), corners.end());
-  CGAL::convex_hull_3_to_face_graph(triangulation, mesh);
+  return {};
+}
+
+/// The hull of its corners. CGAL goes by addresses in memory: which triangles it puts into a flat
+/// facet would differ in each process and so would everything behind. Corners and facets are
+/// unique, and so are the triangles of a facet whose corners come in order.
+SurfaceMesh HullOfCorners(std::vector<Point3> corners)
+{
+  SurfaceMesh any;
+  std::sort(corners.begin(), corners.end());
+  CGAL::convex_hull_3(corners.begin(), corners.end(), any);
+  const auto numberOf = [&](SurfaceMesh::Vertex_index v)
+  {
+    const auto at = std::lower_bound(corners.begin(), corners.end(), any.point(v));
+    return static_cast<std::size_t>(at - corners.begin());
+  };
+  SurfaceMesh mesh;
+  std::vector<SurfaceMesh::Vertex_index> vertices;
+  for (const Point3& corner : corners)
+  {
+    vertices.push_back(mesh.add_vertex(corner));
+  }
+
+  std::vector<char> isDone(any.num_faces(), 0);
+  for (const auto first : any.faces())
+  {
+    if (isDone[first] != 0)
+    {
+      continue;
+    }
+    isDone[first] = 1;
+    std::vector<SurfaceMesh::Face_index> faces = { first };
+    std::vector<std::size_t> facet;
+    for (std::size_t k = 0; k < faces.size(); ++k)
+    {
+      for (const auto h : any.halfedges_around_face(any.halfedge(faces[k])))
+      {
+        facet.push_back(numberOf(any.target(h)));
+        const auto neighbor = any.face(any.opposite(h));
+        if (isDone[neighbor] == 0 && !IsSharp(any, h))
+        {
+          isDone[neighbor] = 1;
+          faces.push_back(neighbor);
+        }
+      }
+    }
+    const std::array<std::size_t, 3> triangle = { facet[0], facet[1], facet[2] };
+    std::sort(facet.begin(), facet.end());
+    facet.erase(std::unique(facet.begin(), facet.end()), facet.end());
+    for (const auto& t : FacetTriangles(corners, facet, triangle))
+    {
+      mesh.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+    }
+  }
   return mesh;
 }
 
@@ -200,7 +282,7 @@ SurfaceMesh HullWithoutNoise(std::vector<Point3> corners, double extent)
 {
   for (;;)
   {
-    SurfaceMesh mesh = DelaunayHull(corners);
+    SurfaceMesh mesh = HullOfCorners(corners);
     std::map<Point3, SurfaceMesh::Vertex_index> byPlace;
     for (const auto v : mesh.vertices())
     {

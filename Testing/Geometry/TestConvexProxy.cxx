@@ -427,11 +427,25 @@ TriangleMesh AtUnitSize(TriangleMesh mesh, double size)
   return mesh;
 }
 
+/// A prism over points of a parabola: all are corners, and its facets are flat to the last bit.
+Points ParabolicPrism(int half)
+{
+  Points P(2 * (2 * half + 1), 3);
+  for (int i = -half, k = 0; i <= half; ++i)
+  {
+    P.row(k++) << i, i * i / 1024.0, 0.0;
+    P.row(k++) << i, i * i / 1024.0, 1000.0;
+  }
+  return P;
+}
+
 // The hull is that of a set: the order of the points does not matter, nor how often they are there.
 void TestOrders()
 {
   Meshes::Random random(13);
-  for (const Model& model : Models())
+  std::vector<Model> models = Models();
+  models.push_back({ "prism of 6002 corners", ParabolicPrism(1500) });
+  for (const Model& model : models)
   {
     const ScatteredMemory memory(14);
     const Points other = model.P(random.Permutation(static_cast<int>(model.P.rows())), AllColumns);
