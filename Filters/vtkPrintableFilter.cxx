@@ -85,10 +85,12 @@ ClosedInput Close(const vtkSurfaceMesh& surface, bool closeHoles)
   ClosedInput closed;
   closed.InputPoints = surface.FirstInputPoints();
   const auto at = [&](int point) { return std::to_string(closed.InputPoints[point]); };
-  DerivedSurface manifold = SphericalStyle::Underived(
-    { surface.Mesh.P, SphericalStyle::OrientOutward(surface.Mesh.P, surface.Mesh.F) });
-  SphericalStyle::OpenEdges open = SphericalStyle::FindOpenEdges(manifold.mesh.F);
-  closed.NonManifoldEdges = open.nonManifold;
+  closed.NonManifoldEdges = SphericalStyle::FindOpenEdges(surface.Mesh.F).nonManifold;
+  const std::vector<int> kept = SphericalStyle::WithoutRepetitions(surface.Mesh.F);
+  const SphericalStyle::Triangles F = surface.Mesh.F(kept, SphericalStyle::AllColumns);
+  DerivedSurface manifold =
+    SphericalStyle::Underived({ surface.Mesh.P, SphericalStyle::OrientOutward(surface.Mesh.P, F) });
+  manifold.triangles = kept;
   SphericalStyle::MakeManifold(manifold);
   for (std::size_t i = closed.InputPoints.size(); i < manifold.ends.size(); ++i)
   {
@@ -99,7 +101,7 @@ ClosedInput Close(const vtkSurfaceMesh& surface, bool closeHoles)
     closed.InputCells.push_back(surface.GetCell(f));
   }
   closed.Mesh = manifold.mesh;
-  open = SphericalStyle::FindOpenEdges(closed.Mesh.F);
+  SphericalStyle::OpenEdges open = SphericalStyle::FindOpenEdges(closed.Mesh.F);
   if (open.borders == 0)
   {
     return closed;

@@ -343,6 +343,49 @@ OpenEdges FindOpenEdges(const Triangles& F)
   return open;
 }
 
+std::vector<int> WithoutRepetitions(const Triangles& F)
+{
+  struct Entry
+  {
+    std::array<int, 3> points; // ascending
+    bool isEven;               // whether the triangle runs through them in this order
+    int triangle;
+  };
+  std::vector<Entry> entries;
+  for (int f = 0; f < static_cast<int>(F.rows()); ++f)
+  {
+    std::array<int, 3> t = { F(f, 0), F(f, 1), F(f, 2) };
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    const bool isEven = t[1] < t[2];
+    std::sort(t.begin(), t.end());
+    entries.push_back({ t, isEven, f });
+  }
+  std::sort(entries.begin(), entries.end(),
+    [](const Entry& a, const Entry& b)
+    { return std::tie(a.points, a.triangle) < std::tie(b.points, b.triangle); });
+  std::vector<int> oneOfEachSide;
+  std::vector<int> oneOfBoth;
+  bool allHaveBoth = true;
+  for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end)
+  {
+    std::array<bool, 2> has = { false, false };
+    for (; end < entries.size() && entries[end].points == entries[begin].points; ++end)
+    {
+      bool& hasSide = has[entries[end].isEven ? 1 : 0];
+      if (!hasSide)
+      {
+        oneOfEachSide.push_back(entries[end].triangle);
+      }
+      hasSide = true;
+    }
+    oneOfBoth.push_back(entries[begin].triangle);
+    allHaveBoth = allHaveBoth && has[0] && has[1];
+  }
+  std::vector<int>& kept = allHaveBoth ? oneOfBoth : oneOfEachSide;
+  std::sort(kept.begin(), kept.end());
+  return std::move(kept);
+}
+
 void MakeManifold(DerivedSurface& surface)
 {
   TriangleMesh& mesh = surface.mesh;

@@ -36,6 +36,12 @@ struct OpenEdges
 };
 OpenEdges FindOpenEdges(const Triangles& F);
 
+/// The numbers of the triangles, ascending, without those that say again what an earlier one says:
+/// of the same three points, facing the same way. Where every triangle of the surface has one that
+/// faces the other way, as in models for renderers that show front sides only, the first of both
+/// stays.
+std::vector<int> WithoutRepetitions(const Triangles& F);
+
 /// Gives each point one fan of triangles and each edge at most two, by points of their own at the
 /// same place. At an edge of three or more triangles two that have the inside of the surface
 /// between them belong together. What one direction has more than the other gets a border there:

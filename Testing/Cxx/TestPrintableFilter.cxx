@@ -6,6 +6,7 @@
 #include "PropertyTesting.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
 #include "vtkDoubleArray.h"
@@ -421,6 +422,26 @@ void CheckEdgesOfMany(Checker& check)
   vtkDataArray* values = output->GetPointData()->GetArray("Number");
   check(values->GetTuple1(6) + values->GetTuple1(7) == 10.0, "new points have the same values");
 }
+
+/// Half of a ball's faces twice: the result is that of the ball.
+void CheckRepetitions(Checker& check)
+{
+  const Surface ball = MakeEllipsoid({ 1.0, 1.0, 0.6 });
+  const vtkIdType m = ball->GetNumberOfCells();
+  std::vector<std::vector<vtkIdType>> faces;
+  for (vtkIdType f = 0; f < m + m / 2; ++f)
+  {
+    const vtkIdType* corners = ball->GetCell(f % m)->GetPointIds()->GetPointer(0);
+    faces.emplace_back(corners, corners + 3);
+  }
+  const Surface twice = MakeSurface({}, faces);
+  twice->SetPoints(ball->GetPoints());
+  Printed plain(ball);
+  Printed printed(twice);
+  vtkPolyData* output = printed.Output();
+  check(printed.Errors.empty() && SamePolyData(output, plain.Output()),
+    "faces that are there twice count once" + Joined(printed.Errors));
+}
 }
 
 int TestPrintableFilter(int, char*[])
@@ -434,5 +455,6 @@ int TestPrintableFilter(int, char*[])
   CheckCrossingFoot(check);
   CheckWideHole(check);
   CheckEdgesOfMany(check);
+  CheckRepetitions(check);
   return check.Result();
 }

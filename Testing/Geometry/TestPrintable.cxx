@@ -19,6 +19,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 #include <string>
 #include <utility>
@@ -225,6 +226,48 @@ void TestEdgesOfMany()
   const OpenEdges open = FindOpenEdges(inside.mesh.F);
   CHECK(open.nonManifold == 0 && open.misoriented == 0 && open.borders == 3,
     "comes off as a triangle: " << open.borders << " border edges");
+}
+
+/// Faces that a file has twice count once; a wall between two solids stays.
+void TestRepetitions()
+{
+  const TriangleMesh ball = Meshes::Icosphere(2);
+  const auto m = static_cast<int>(ball.F.rows());
+  std::vector<int> all(m);
+  std::iota(all.begin(), all.end(), 0);
+  // Begins with another corner, facing the same way.
+  const Triangles turned = ball.F(AllColumns, std::vector<int>{ 1, 2, 0 });
+  const Triangles back = ball.F(AllColumns, std::vector<int>{ 2, 1, 0 });
+  CHECK(WithoutRepetitions(ball.F) == all, "a ball has no repetitions");
+  CHECK(WithoutRepetitions((Triangles(2 * m, 3) << ball.F, turned).finished()) == all,
+    "all faces twice");
+  CHECK(WithoutRepetitions((Triangles(2 * m, 3) << ball.F, back).finished()) == all,
+    "all faces with a back");
+  CHECK(WithoutRepetitions((Triangles(m + 9, 3) << ball.F, turned.topRows(9)).finished()) == all,
+    "some faces twice");
+
+  const TriangleMesh cube = Cubes({ { 0, 0, 0 } });
+  const TriangleMesh wide = Cubes({ { 0, 0, 0 }, { 1, 0, 0 } });
+  // Two cubes of their own that share the points of the wall between them.
+  const Triangles walls = (Triangles(24, 3) << cube.F, cube.F).finished();
+  TriangleMesh two = wide;
+  two.F = walls;
+  const auto numberAt = [&](const Eigen::RowVector3d& place)
+  {
+    Eigen::Index point = 0;
+    (wide.P.rowwise() - place).rowwise().squaredNorm().minCoeff(&point);
+    return static_cast<int>(point);
+  };
+  for (int f = 0; f < 24; ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Eigen::RowVector3d shift(f < 12 ? 0.0 : 1.0, 0.0, 0.0);
+      two.F(f, k) = numberAt(cube.P.row(walls(f, k)) + shift);
+    }
+  }
+  CHECK(FindOpenEdges(two.F).nonManifold > 0 && WithoutRepetitions(two.F).size() == 24,
+    "the wall between two cubes has two sides");
 }
 
 /// What holds of every result.
@@ -618,6 +661,7 @@ int main()
   TestSections();
   TestFans();
   TestEdgesOfMany();
+  TestRepetitions();
   TestBall();
   TestLean();
   TestWalls();
