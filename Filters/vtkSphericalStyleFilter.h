@@ -591,8 +591,9 @@ public:
   ///@{
   /**
    * Facts of the last execution with AvoidSelfIntersections: triangles turned over (as
-   * vtkSurfaceMetrics defines it) and new pairs of intersecting triangles, with all of Roundness
-   * (before) and in the result (after; 0). -1 without it, and where it was aborted.
+   * vtkSurfaceMetrics defines it) and new pairs of intersecting triangles, but for those next to
+   * where parts run through each other in the input, with all of Roundness (before) and in the
+   * result (after; 0). -1 without it, and where it was aborted.
    */
   vtkGetMacro(TurnedOverBefore, int);
   vtkGetMacro(TurnedOverAfter, int);

@@ -353,10 +353,14 @@ std::vector<Pair> FoldFinder::NewPairs(const std::vector<Pair>& pairs)
   {
     const Points P = this->Written(this->Rest.P);
     this->RestPairs = this->Pairs(P, WithArea(P, this->Rest.F));
+    this->Contacts = RestContacts(this->Rest, *this->RestPairs);
   }
   std::vector<Pair> added;
   std::set_difference(pairs.begin(), pairs.end(), this->RestPairs->begin(), this->RestPairs->end(),
     std::back_inserter(added));
+  added.erase(std::remove_if(added.begin(), added.end(),
+                [this](const Pair& pair) { return this->Contacts.AreNear(pair); }),
+    added.end());
   return added;
 }
 

@@ -5,6 +5,7 @@
 #ifndef SphericalStyle_FoldGuard_h
 #define SphericalStyle_FoldGuard_h
 
+#include "RestContacts.h"
 #include "TriangleMesh.h"
 
 #include <array>
@@ -27,13 +28,15 @@ using ShareSolve = std::function<Points(const Eigen::VectorXd& shares)>;
 struct Folds
 {
   int turnedOver = 0;         ///< triangles, see TurnedOver in DeformationMeasures.h
-  int newPairs = 0;           ///< of intersecting triangles that did not intersect at rest
+  int newPairs = 0;           ///< of intersecting triangles, see FoldFinder
   std::vector<int> triangles; ///< all that are meant by either, ascending
 
   bool Any() const { return !this->triangles.empty(); }
 };
 
-/// Looks for folds of one rest surface in any number of deformed ones.
+/// Looks for folds of one rest surface in any number of deformed ones: triangles that turn over,
+/// and pairs of triangles that run through each other and did not at rest, unless parts of the
+/// surface did so next to them (RestContacts).
 class FoldFinder
 {
 public:
@@ -56,6 +59,7 @@ private:
   bool SinglePrecision;
   int Threads;
   std::optional<std::vector<std::array<int, 2>>> RestPairs;
+  RestContacts Contacts; // of the rest pairs
 };
 
 struct FoldGuardOptions

@@ -194,6 +194,40 @@ void TestFinder()
 }
 
 // Nothing folds: one solve with all of lambda, and its bits.
+// An eye in a head may slide, but not run through the head elsewhere.
+void TestContacts()
+{
+  const TriangleMesh head = Meshes::Icosphere(2);
+  TriangleMesh small = Meshes::Icosphere(1);
+  small.P *= 0.3;
+  TriangleMesh arm = small; // from the side of the head to the outside
+  arm.P.col(0) *= 5.0;
+  const auto beside = [&](const TriangleMesh& other, const Eigen::RowVector3d& shift) {
+    return Meshes::Together({ head, Meshes::Moved(other, shift.transpose()) });
+  };
+  const TriangleMesh rest = beside(small, { 1.0, 0.1, 0.0 });
+  const std::vector<Pair> before = BruteForce(rest);
+  FoldFinder finder(rest, BruteForce, false, 1);
+  const Points near = beside(small, { 0.98, 0.15, 0.02 }).P;
+  const std::vector<Pair> now = BruteForce({ near, rest.F });
+  CHECK(!before.empty() && !std::includes(before.begin(), before.end(), now.begin(), now.end()),
+    "other triangles run through each other");
+  CHECK(!finder.Find(near).Any(), "but next to where they did");
+  CHECK(finder.Find(beside(small, { 0.0, 1.0, 0.0 }).P).newPairs > 0, "not so elsewhere");
+
+  // The other end of the arm comes into the head.
+  const TriangleMesh held = beside(arm, { 2.3, 0.0, 0.0 });
+  FoldFinder ofArm(held, BruteForce, false, 1);
+  Points bent = held.P;
+  for (Eigen::Index i = head.P.rows(); i < bent.rows(); ++i)
+  {
+    const double along = std::max(bent(i, 0) - 1.3, 0.0); // from 0 to 2.5
+    bent(i, 0) -= 1.9 * along;
+    bent(i, 1) += 0.3 * along;
+  }
+  CHECK(ofArm.Find(held.P).newPairs == 0 && ofArm.Find(bent).newPairs > 0, "an end elsewhere");
+}
+
 void TestClean()
 {
   const TriangleMesh mesh = Meshes::Ellipsoid(2);
@@ -360,6 +394,7 @@ void TestAbort()
 int main()
 {
   TestFinder();
+  TestContacts();
   TestClean();
   TestDumbbell();
   TestNoGain();
