@@ -127,6 +127,20 @@ ClosedInput Close(const vtkSurfaceMesh& surface, bool closeHoles)
   return closed;
 }
 
+/// @throw std::invalid_argument where there is nothing to print
+vtkSurfaceMesh ReadSurface(vtkPrintableFilter* self, vtkPolyData* input)
+{
+  vtkSurfaceMesh surface = vtkSurfaceMeshConversion::FromPolyData(input, true);
+  vtkSurfaceMeshConversion::CheckArrays(input); // new points take values from all of them
+  Warn(self, vtkSurfaceMeshConversion::FannedRemark(surface));
+  Warn(self, vtkSurfaceMeshConversion::SkippedRemark(surface));
+  if (surface.Mesh.F.rows() == 0)
+  {
+    throw std::invalid_argument("There is no triangle with an area, so there is nothing to print");
+  }
+  return surface;
+}
+
 /// z up, on the plate.
 Points OnPlate(const Points& P, int axis)
 {
@@ -383,14 +397,7 @@ int vtkPrintableFilter::Execute(
     return 1;
   }
   this->CheckProperties();
-  const vtkSurfaceMesh surface = vtkSurfaceMeshConversion::FromPolyData(input, true);
-  vtkSurfaceMeshConversion::CheckArrays(input); // new points take values from all of them
-  Warn(this, vtkSurfaceMeshConversion::FannedRemark(surface));
-  Warn(this, vtkSurfaceMeshConversion::SkippedRemark(surface));
-  if (surface.Mesh.F.rows() == 0)
-  {
-    throw std::invalid_argument("There is no triangle with an area, so there is nothing to print");
-  }
+  const vtkSurfaceMesh surface = ReadSurface(this, input);
   this->SetProgressText("Making the model printable");
   this->UpdateProgress(0.1);
   const ClosedInput closed = Close(surface, this->CloseHoles);

@@ -196,10 +196,8 @@ SurfaceMesh HullOfCorners(std::vector<Point3> corners)
   };
   SurfaceMesh mesh;
   std::vector<SurfaceMesh::Vertex_index> vertices;
-  for (const Point3& corner : corners)
-  {
-    vertices.push_back(mesh.add_vertex(corner));
-  }
+  std::transform(corners.begin(), corners.end(), std::back_inserter(vertices),
+    [&mesh](const Point3& corner) { return mesh.add_vertex(corner); });
 
   std::vector<char> isDone(any.num_faces(), 0);
   for (const auto first : any.faces())

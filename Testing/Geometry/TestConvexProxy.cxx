@@ -580,7 +580,7 @@ void TestSamples()
     {
       CHECK_NEAR(onSides[k] / 10000.0, areas[k] / areas.sum(), 0.02, "share of samples on a side");
     }
-    const std::vector<int> result = ThinOut(samples, normals, radius);
+    std::vector<int> result = ThinOut(samples, normals, radius);
     kept = samples(result, AllColumns);
     // Poisson disk: none nearer than the radius, none could be put back (A5.4).
     double nearest = 1e9;
