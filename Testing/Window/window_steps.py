@@ -19,6 +19,8 @@ def play(steps, view, word):
 
     def step(*_):
         """Next one; the window handles its own events before the next tick."""
+        if steps.gi_running:
+            return  # a step that takes long, in which the window handles events, too
         try:
             next(steps)
             return
