@@ -146,6 +146,10 @@ std::vector<std::array<std::size_t, 3>> FacetTriangles(const std::vector<Point3>
   using Triangulation = CGAL::Delaunay_triangulation_2<Kernel,
     CGAL::Triangulation_data_structure_2<
       CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>>>;
+  if (facet.size() == 3)
+  {
+    return { triangle };
+  }
   const Point3& a = corners[triangle[0]];
   const Kernel::Vector_3 normal =
     CGAL::cross_product(corners[triangle[1]] - a, corners[triangle[2]] - a);
