@@ -23,8 +23,8 @@ public:
   /// Cost: for each two parts of the surface that meet, shortest paths in a strip along the place.
   RestContacts(const TriangleMesh& rest, const std::vector<std::array<int, 2>>& pairs);
 
-  /// Whether the triangles are of two parts, connected each, that run through each other in the
-  /// rest shape no farther from either triangle than 3 % of the diagonal, along edges.
+  /// Whether the triangles are of two connected parts, and both lie within 3 % of the diagonal,
+  /// along edges, of where these parts run through each other in the rest shape.
   bool AreNear(const std::array<int, 2>& pair) const;
 
 private:

@@ -193,7 +193,6 @@ void TestFinder()
   CHECK(rounded, "with single precision the points that are written should be searched");
 }
 
-// Nothing folds: one solve with all of lambda, and its bits.
 // An eye in a head may slide, but not run through the head elsewhere.
 void TestContacts()
 {
@@ -228,6 +227,7 @@ void TestContacts()
   CHECK(ofArm.Find(held.P).newPairs == 0 && ofArm.Find(bent).newPairs > 0, "an end elsewhere");
 }
 
+// Nothing folds: one solve with all of lambda, and its bits.
 void TestClean()
 {
   const TriangleMesh mesh = Meshes::Ellipsoid(2);
