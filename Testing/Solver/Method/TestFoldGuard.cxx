@@ -8,6 +8,7 @@
 #include "DeformationMeasures.h"
 #include "FoldGuard.h"
 #include "Meshes.h"
+#include "RestContacts.h"
 #include "StyleSolver.h"
 #include "SurfaceMeasures.h"
 
@@ -227,6 +228,41 @@ void TestContacts()
   CHECK(ofArm.Find(held.P).newPairs == 0 && ofArm.Find(bent).newPairs > 0, "an end elsewhere");
 }
 
+// Two strips of squares, of which the first ones meet: how far from there pairs do not count.
+void TestWidth()
+{
+  constexpr int Length = 100;
+  std::vector<Vector3d> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (const double z : { 0.0, 1.0 })
+  {
+    const int first = static_cast<int>(points.size());
+    for (int i = 0; i <= Length; ++i)
+    {
+      points.emplace_back(i, 0.0, z);
+      points.emplace_back(i, 1.0, z);
+    }
+    for (int i = first; i < first + 2 * Length; i += 2)
+    {
+      triangles.push_back({ i, i + 2, i + 1 });
+      triangles.push_back({ i + 1, i + 2, i + 3 });
+    }
+  }
+  const TriangleMesh strips = Meshes::Make(points, triangles);
+  const int other = 2 * Length; // the first triangle of the second strip
+  const RestContacts contacts(strips, { { 0, other } });
+  const double reach = 0.03 * Meshes::Diagonal(strips.P);
+  for (int i = 0; i < Length; ++i)
+  {
+    const int f = 2 * i; // begins i - 1 squares behind the place
+    const bool isNear = i - 1 <= reach;
+    CHECK(contacts.AreNear({ f, other }) == isNear && contacts.AreNear({ 0, other + f }) == isNear,
+      "a triangle in square " << i);
+    CHECK(!contacts.AreNear({ 0, f }), "two of one part");
+  }
+  CHECK(!RestContacts(strips, {}).AreNear({ 0, other }), "parts that do not meet");
+}
+
 // Nothing folds: one solve with all of lambda, and its bits.
 void TestClean()
 {
@@ -395,6 +431,7 @@ int main()
 {
   TestFinder();
   TestContacts();
+  TestWidth();
   TestClean();
   TestDumbbell();
   TestNoGain();
