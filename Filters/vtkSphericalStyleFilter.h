@@ -73,7 +73,8 @@
  * NumberOfWallStitches (pairs through thin walls [wall]), Advice (GetAdvice) and, where each
  * process has rounded its own part, BytesExchanged (2: sent and received, one tuple per process).
  * With AvoidSelfIntersections the table is that of the last solve, and its field data has
- * TurnedOver and NewIntersectingPairs (2: before, after), GuardSolves and GuardSeconds.
+ * TurnedOver and NewIntersectingPairs (2: before, after), GuardSolves, GuardRepairedPoints (moved
+ * as their surroundings move) and GuardSeconds.
  *
  * Output port 2: vtkPolyData, the target sphere that was used, as circles of longitude and latitude
  * to look at; one sphere per center id. Empty where there was nothing to solve.
@@ -475,8 +476,9 @@ public:
 
   ///@{
   /**
-   * Use less Roundness where triangles would turn over or newly run through each other, and
-   * solve again until none does [guard]. The result is checked as it is written, in the number type
+   * Move small places where triangles would turn over or newly run through each other as their
+   * surroundings move; where that is not enough, use less Roundness and solve again until none does
+   * [guard]. The result is checked as it is written, in the number type
    * of the output. What the input has already stays. With NormalBlend 0 on models without thin
    * parts it rarely changes anything: then the result has the same bits as without. Off with
    * ReproduceThesis. Cost: a search for self-intersections, and where it finds

@@ -126,6 +126,7 @@ void Fill(vtkTable* table, const Result& result)
   AddBeforeAfter(data, "TurnedOver", guard.before.turnedOver, guard.after.turnedOver);
   AddBeforeAfter(data, "NewIntersectingPairs", guard.before.newPairs, guard.after.newPairs);
   vtkFilterSupport::AddCount(data, "GuardSolves", guard.solves);
+  vtkFilterSupport::AddCount(data, "GuardRepairedPoints", guard.repaired);
   vtkNew<vtkDoubleArray> seconds;
   seconds->SetName("GuardSeconds");
   seconds->InsertNextValue(result.Seconds);

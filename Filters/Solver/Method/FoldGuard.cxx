@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FoldGuard.h"
 
+#include "AffineFit.h"
 #include "DeformationMeasures.h"
 #include "Frame.h"
 #include "OneRings.h"
 #include "Stitches.h"
 #include "SurfaceMeasures.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +37,11 @@ constexpr double NoGain = 0.1;        ///< less is not worth a solve
 constexpr int Corrections = 3;        ///< before a raising is given up
 constexpr double LockWidth = 0.03;    ///< of the diagonal: no further raising around a new fold
 
+// Repair.
+constexpr double RepairWidth = 0.005; ///< of the diagonal, from the folds on; then doubled
+constexpr double MostRepaired = 0.01; ///< of the surface
+constexpr double FarthestMove = 0.02; ///< of the diagonal
+
 Eigen::VectorXd Shares(const Eigen::VectorXd& octaves)
 {
   return octaves.unaryExpr([](double x) { return std::exp2(x); }); // of 0 exactly 1
@@ -53,21 +61,46 @@ std::vector<int> WithArea(const Points& Q, const Triangles& F)
   return triangles;
 }
 
-/// Fields of octaves on the points of a mesh.
+/// Connected places of a surface.
+struct Places
+{
+  std::vector<std::vector<int>> points;
+  std::vector<int> placeOf; ///< n: -1 outside
+
+  /// The triangles with a point in each place.
+  std::vector<std::vector<int>> Triangles(const SphericalStyle::Triangles& F) const
+  {
+    std::vector<std::vector<int>> triangles(this->points.size());
+    for (int f = 0; f < F.rows(); ++f)
+    {
+      for (const int i : F.row(f))
+      {
+        const int place = this->placeOf[i];
+        if (place >= 0 && (triangles[place].empty() || triangles[place].back() != f))
+        {
+          triangles[place].push_back(f);
+        }
+      }
+    }
+    return triangles;
+  }
+};
+
+/// Fields of octaves, and of weights, on the points of a mesh.
 class OctaveFields
 {
 public:
   explicit OctaveFields(const TriangleMesh& rest)
     : Mesh(rest)
-    , Diagonal((rest.P.colwise().maxCoeff() - rest.P.colwise().minCoeff()).stableNorm())
+    , Unit(FrameOf(rest.P))
+    , InUnit(Unit.Into(rest.P))
     , Weights(PointAreas(rest.P, rest.F) / PointAreas(rest.P, rest.F).sum())
     , Stitched(rest.P.rows())
   {
     const MeshTopology topology(rest.F, static_cast<int>(rest.P.rows()));
     this->Rings = OneRings(topology, HalfEdgeScalars::Zero(rest.F.rows(), 3));
     // Parts that share no edge are to move with their surroundings, too.
-    for (const Stitch& s :
-      FindStitches(FrameOf(rest.P).Into(rest.P), rest.F, topology.GetComponents()))
+    for (const Stitch& s : FindStitches(this->InUnit, rest.F, topology.GetComponents()))
     {
       this->Stitched[s.u].push_back(s.v);
       this->Stitched[s.v].push_back(s.u);
@@ -95,21 +128,17 @@ public:
       {
         continue; // was lowered since
       }
-      const auto reach = [&, from = i, start = value](int j)
-      {
-        const double length = (this->Mesh.P.row(from) - this->Mesh.P.row(j)).norm();
-        const double bound = start + slope * length / this->Diagonal;
-        if (bound < field(j))
+      this->ForEachNeighbor(i,
+        [&, from = i, start = value](int j)
         {
-          field(j) = bound;
-          queue.push({ bound, j });
-        }
-      };
-      for (const OneRings::Neighbor& neighbor : this->Rings[i])
-      {
-        reach(neighbor.point);
-      }
-      std::for_each(this->Stitched[i].begin(), this->Stitched[i].end(), reach);
+          const double length = (this->InUnit.row(from) - this->InUnit.row(j)).norm();
+          const double bound = start + slope * length;
+          if (bound < field(j))
+          {
+            field(j) = bound;
+            queue.push({ bound, j });
+          }
+        });
     }
     return field;
   }
@@ -121,16 +150,47 @@ public:
     return this->Limit(field - octaves * this->Corners(triangles), slope);
   }
 
-  /// 1 at the corners of the triangles, falling to 0 over LockWidth.
-  Eigen::VectorXd Around(const std::vector<int>& triangles) const
+  /// 1 at the corners of the triangles, falling to 0 over a width, of the diagonal.
+  Eigen::VectorXd Around(const std::vector<int>& triangles, double width) const
   {
-    return -this->Limit(-this->Corners(triangles), 1.0 / LockWidth);
+    return -this->Limit(-this->Corners(triangles), 1.0 / width);
   }
+
+  /// Share of the surface at the points with a positive weight.
+  double Area(const Eigen::VectorXd& weights) const
+  {
+    return this->Weights.dot((weights.array() > 0.0).cast<double>().matrix());
+  }
+
+  /// The largest distance between points of the two, of the diagonal.
+  double LargestMove(const Points& Q, const Points& moved) const
+  {
+    return ((moved - Q) / this->Unit.scale).rowwise().norm().maxCoeff();
+  }
+
+  /// Where the weights are positive, along edges and stitches.
+  Places FindPlaces(const Eigen::VectorXd& weights) const;
+
+  /// Q with the points of each place moved by the affine map that is closest to how the place and
+  /// the points next to it move, the more the smaller their weights; in full at weight 1, falling
+  /// to not at all at 0. Points that Q leaves at rest stay.
+  Points WithPlacesMoved(
+    const Points& Q, const Places& places, const Eigen::VectorXd& weights) const;
 
   /// Mean share over the surface.
   double MeanShare(const Eigen::VectorXd& field) const { return this->Weights.dot(Shares(field)); }
 
 private:
+  template <typename Function>
+  void ForEachNeighbor(int i, Function function) const
+  {
+    for (const OneRings::Neighbor& neighbor : this->Rings[i])
+    {
+      function(neighbor.point);
+    }
+    std::for_each(this->Stitched[i].begin(), this->Stitched[i].end(), function);
+  }
+
   Eigen::VectorXd Corners(const std::vector<int>& triangles) const
   {
     Eigen::VectorXd marks = Eigen::VectorXd::Zero(this->Mesh.P.rows());
@@ -142,11 +202,87 @@ private:
   }
 
   const TriangleMesh& Mesh;
+  Frame Unit;
+  Points InUnit; // at rest
   OneRings Rings;
-  double Diagonal;
   Eigen::VectorXd Weights;
   std::vector<std::vector<int>> Stitched; // points of other parts
 };
+
+Places OctaveFields::FindPlaces(const Eigen::VectorXd& weights) const
+{
+  Places places;
+  places.placeOf.assign(weights.size(), -1);
+  for (int start = 0; start < weights.size(); ++start)
+  {
+    if (weights(start) <= 0.0 || places.placeOf[start] >= 0)
+    {
+      continue;
+    }
+    const int place = static_cast<int>(places.points.size());
+    std::vector<int> points = { start };
+    places.placeOf[start] = place;
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      this->ForEachNeighbor(points[k],
+        [&](int j)
+        {
+          if (weights(j) > 0.0 && places.placeOf[j] < 0)
+          {
+            places.placeOf[j] = place;
+            points.push_back(j);
+          }
+        });
+    }
+    places.points.push_back(std::move(points));
+  }
+  return places;
+}
+
+Points OctaveFields::WithPlacesMoved(
+  const Points& Q, const Places& places, const Eigen::VectorXd& weights) const
+{
+  const auto fade = [&weights](int i)
+  { return weights(i) * weights(i) * (3.0 - 2.0 * weights(i)); };
+  Points moved = Q;
+  for (const std::vector<int>& place : places.points)
+  {
+    std::vector<int> fitted = place;
+    for (const int i : place)
+    {
+      this->ForEachNeighbor(i,
+        [&](int j)
+        {
+          if (places.placeOf[j] < 0)
+          {
+            fitted.push_back(j);
+          }
+        });
+    }
+    std::sort(fitted.begin(), fitted.end());
+    fitted.erase(std::unique(fitted.begin(), fitted.end()), fitted.end());
+    Eigen::VectorXd a = this->Weights(fitted);
+    for (std::size_t k = 0; k < fitted.size(); ++k)
+    {
+      a(k) *= 1.0 - fade(fitted[k]);
+    }
+    if (!(a.sum() > 0.0))
+    {
+      continue; // all of a part folds
+    }
+    const AffineMap map =
+      FitAffineMap(this->InUnit(fitted, AllColumns), this->Unit.Into(Q(fitted, AllColumns)), a);
+    for (const int i : place)
+    {
+      if (Q.row(i) != this->Mesh.P.row(i))
+      {
+        const Points there = this->Unit.OutOf(map(this->InUnit.row(i)));
+        moved.row(i) += fade(i) * (there.row(0) - Q.row(i));
+      }
+    }
+  }
+  return moved;
+}
 
 /// One run of [guard].
 class Guard
@@ -164,42 +300,72 @@ public:
   FoldGuardReport Run();
 
 private:
-  void SolveAt(const Eigen::VectorXd& field);
   bool Try(const Eigen::VectorXd& field);
+  bool Repair();
   void Lower();
-  void Raise(const OctaveFields& fields);
-  bool Correct(const OctaveFields& fields, Eigen::VectorXd& field, Eigen::VectorXd& lock);
-  void Blend(const OctaveFields& fields);
+  void Raise();
+  bool Correct(Eigen::VectorXd& field, Eigen::VectorXd& lock);
+  void Blend();
   Points Blended(const Eigen::VectorXd& shares) const;
 
   const TriangleMesh& Rest;
   const FoldGuardOptions& Options;
   FoldFinder Finder;
   const ShareSolve& Solve;
-  Eigen::VectorXd Field; // accepted
-  Folds Found;           // by the last Try
+  Eigen::VectorXd Field;              // accepted
+  Folds Found;                        // by the last Try
+  std::optional<OctaveFields> Fields; // once something folds
   int Raisings = 0;
   FoldGuardReport Report;
 };
 
-void Guard::SolveAt(const Eigen::VectorXd& field)
+/// Solves, looks, and repairs. @return whether there are no folds
+bool Guard::Try(const Eigen::VectorXd& field)
 {
   this->Report.shares = Shares(field);
   this->Report.positions = this->Solve(this->Report.shares);
+  this->Report.repaired = 0;
   this->Report.aborted = this->Report.positions.rows() == 0;
-  this->Report.solves += this->Report.aborted ? 0 : 1;
-}
-
-/// Solves and looks. @return whether there are no folds
-bool Guard::Try(const Eigen::VectorXd& field)
-{
-  this->SolveAt(field);
   if (this->Report.aborted)
   {
     return false;
   }
   this->Found = this->Finder.Find(this->Report.positions);
-  return !this->Found.Any();
+  if (++this->Report.solves == 1)
+  {
+    this->Report.before = this->Found;
+  }
+  return !this->Found.Any() || this->Repair();
+}
+
+/// Small places with folds move as their surroundings move. @return whether that leaves none
+bool Guard::Repair()
+{
+  if (!this->Fields)
+  {
+    this->Fields.emplace(this->Rest);
+  }
+  double width = RepairWidth;
+  for (int round = 0; round < this->Options.repairs; ++round, width *= 2.0)
+  {
+    const Eigen::VectorXd weights = this->Fields->Around(this->Found.triangles, width);
+    if (this->Fields->Area(weights) > MostRepaired)
+    {
+      return false;
+    }
+    const Places places = this->Fields->FindPlaces(weights);
+    const Points moved = this->Fields->WithPlacesMoved(this->Report.positions, places, weights);
+    if (this->Fields->LargestMove(this->Report.positions, moved) <= FarthestMove &&
+      !this->Finder.Find(moved, places.Triangles(this->Rest.F)).Any())
+    {
+      this->Report.repaired =
+        static_cast<int>(((moved - this->Report.positions).array() != 0.0).rowwise().any().count());
+      this->Report.positions = moved;
+      this->Found = {};
+      return true;
+    }
+  }
+  return false;
 }
 
 /// The same share everywhere, so that the model moves as a whole, and ever less until nothing
@@ -220,7 +386,7 @@ void Guard::Lower()
 
 /// Takes a little back where raising brought folds, until there are none or it was tried often
 /// enough. @param lock  grows by where they were
-bool Guard::Correct(const OctaveFields& fields, Eigen::VectorXd& field, Eigen::VectorXd& lock)
+bool Guard::Correct(Eigen::VectorXd& field, Eigen::VectorXd& lock)
 {
   for (int k = 0; this->Raisings++ < this->Options.raisings; ++k)
   {
@@ -232,28 +398,28 @@ bool Guard::Correct(const OctaveFields& fields, Eigen::VectorXd& field, Eigen::V
     {
       return false;
     }
-    lock = lock.cwiseMax(fields.Around(this->Found.triangles));
-    field = fields.Lower(field, this->Found.triangles, Correction, Slope);
+    lock = lock.cwiseMax(this->Fields->Around(this->Found.triangles, LockWidth));
+    field = this->Fields->Lower(field, this->Found.triangles, Correction, Slope);
   }
   return false;
 }
 
 /// From a field without folds to a larger one. Folds can come far from where lambda grew, so each
 /// trial is solved; what is accepted has none and is larger in the mean.
-void Guard::Raise(const OctaveFields& fields)
+void Guard::Raise()
 {
   Eigen::VectorXd lock = Eigen::VectorXd::Zero(this->Field.size());
   bool atAccepted = true; // the last solve is that of the field
   while (this->Raisings < this->Options.raisings && !this->Report.aborted)
   {
     const Eigen::VectorXd room = Raising * (1.0 - lock.array());
-    Eigen::VectorXd field = fields.Limit((this->Field + room).cwiseMin(0.0), Slope);
+    Eigen::VectorXd field = this->Fields->Limit((this->Field + room).cwiseMin(0.0), Slope);
     if ((field - this->Field).maxCoeff() < NoGain)
     {
       break;
     }
-    atAccepted =
-      this->Correct(fields, field, lock) && fields.MeanShare(field) > fields.MeanShare(this->Field);
+    atAccepted = this->Correct(field, lock) &&
+      this->Fields->MeanShare(field) > this->Fields->MeanShare(this->Field);
     if (atAccepted)
     {
       this->Field = field;
@@ -261,8 +427,7 @@ void Guard::Raise(const OctaveFields& fields)
   }
   if (!atAccepted && !this->Report.aborted)
   {
-    this->SolveAt(this->Field);
-    this->Found = {}; // the same bits had none before
+    this->Try(this->Field); // the same bits as before
   }
 }
 
@@ -272,13 +437,13 @@ Points Guard::Blended(const Eigen::VectorXd& shares) const
 }
 
 /// The last resort: toward the rest shape, where the folds are and then all over.
-void Guard::Blend(const OctaveFields& fields)
+void Guard::Blend()
 {
   this->Report.blended = true;
   Eigen::VectorXd field = Eigen::VectorXd::Zero(this->Field.size());
   for (int round = 0; round < this->Options.blends && this->Found.Any(); ++round)
   {
-    field = fields.Lower(field, this->Found.triangles, LocalLowering, LocalSlope);
+    field = this->Fields->Lower(field, this->Found.triangles, LocalLowering, LocalSlope);
     this->Found = this->Finder.Find(this->Blended(Shares(field)));
   }
   const Eigen::VectorXd local = Shares(field);
@@ -296,21 +461,18 @@ void Guard::Blend(const OctaveFields& fields)
 FoldGuardReport Guard::Run()
 {
   this->Field = Eigen::VectorXd::Zero(this->Rest.P.rows());
-  const bool clean = this->Try(this->Field);
-  this->Report.before = this->Found;
-  if (!clean && !this->Report.aborted)
+  if (!this->Try(this->Field) && !this->Report.aborted)
   {
-    const OctaveFields fields(this->Rest);
     this->Lower();
     if (this->Found.Any() && !this->Report.aborted)
     {
-      this->Blend(fields);
+      this->Blend();
     }
     else
     {
-      this->Raise(fields);
+      this->Raise();
     }
-    this->Report.meanShare = fields.MeanShare(this->Field);
+    this->Report.meanShare = this->Fields->MeanShare(this->Field);
   }
   this->Report.after = this->Found;
   return std::move(this->Report);
@@ -343,6 +505,37 @@ std::vector<Pair> FoldFinder::Pairs(const Points& Q, const std::vector<int>& tri
   return pairs;
 }
 
+std::vector<int> FoldFinder::Near(const Points& Q, const std::vector<int>& triangles,
+  const std::vector<std::vector<int>>& places) const
+{
+  const auto boxOf = [&](int f)
+  {
+    Eigen::AlignedBox3d box;
+    for (const int i : this->Rest.F.row(f))
+    {
+      box.extend(Q.row(i).transpose());
+    }
+    return box;
+  };
+  std::vector<Eigen::AlignedBox3d> boxes(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    for (const int f : places[k])
+    {
+      boxes[k].extend(boxOf(f));
+    }
+  }
+  std::vector<int> near;
+  std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(near),
+    [&](int f)
+    {
+      const Eigen::AlignedBox3d own = boxOf(f);
+      return std::any_of(boxes.begin(), boxes.end(),
+        [&own](const Eigen::AlignedBox3d& box) { return box.intersects(own); });
+    });
+  return near;
+}
+
 std::vector<Pair> FoldFinder::NewPairs(const std::vector<Pair>& pairs)
 {
   if (pairs.empty())
@@ -364,7 +557,7 @@ std::vector<Pair> FoldFinder::NewPairs(const std::vector<Pair>& pairs)
   return added;
 }
 
-Folds FoldFinder::Find(const Points& Q)
+Folds FoldFinder::Find(const Points& Q, const std::vector<std::vector<int>>& places)
 {
   const Points points = this->Written(Q);
   const std::vector<int> triangles = WithArea(points, this->Rest.F);
@@ -381,7 +574,8 @@ Folds FoldFinder::Find(const Points& Q)
   }
   folds.turnedOver = static_cast<int>(folds.triangles.size());
 
-  const std::vector<Pair> added = this->NewPairs(this->Pairs(points, triangles));
+  const std::vector<Pair> added = this->NewPairs(
+    this->Pairs(points, places.empty() ? triangles : this->Near(points, triangles, places)));
   folds.newPairs = static_cast<int>(added.size());
   for (const Pair& pair : added)
   {

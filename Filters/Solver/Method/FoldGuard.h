@@ -47,10 +47,14 @@ public:
 
   /// Triangles without an area in Q have no side and meet nothing. The rest shape is searched once,
   /// when first something intersects in a Q. @param Q  n x 3
-  Folds Find(const Points& Q);
+  /// @param places  if there are any: pairs are looked for only where triangles of one place may be
+  ///        among them, for all others are known to have no new pairs
+  Folds Find(const Points& Q, const std::vector<std::vector<int>>& places = {});
 
 private:
   std::vector<std::array<int, 2>> Pairs(const Points& Q, const std::vector<int>& triangles) const;
+  std::vector<int> Near(const Points& Q, const std::vector<int>& triangles,
+    const std::vector<std::vector<int>>& places) const;
   std::vector<std::array<int, 2>> NewPairs(const std::vector<std::array<int, 2>>& pairs);
   Points Written(const Points& Q) const;
 
@@ -66,6 +70,7 @@ struct FoldGuardOptions
 {
   int lowerings = 12;           ///< most rounds of less lambda
   int raisings = 12;            ///< most rounds of more where there is room
+  int repairs = 3;              ///< most widths of the small places that are repaired, each round
   int blends = 8;               ///< most rounds of the last resort, then again as many
   bool singlePrecision = false; ///< see FoldFinder
   int threads = 1;
@@ -73,24 +78,27 @@ struct FoldGuardOptions
 
 struct FoldGuardReport
 {
-  Points positions;       ///< n x 3: of the last solve, or nearer to the rest shape (blended)
+  Points positions;       ///< n x 3: of the last solve, but where repaired or blended
   Eigen::VectorXd shares; ///< n, above 0 to 1: of lambda, what remained; of the last solve
   double meanShare = 1.0; ///< their mean over the surface
   Folds before;           ///< with all of lambda
   Folds after;            ///< none, unless aborted
   int solves = 0;
+  int repaired = 0;     ///< points that were moved as their surroundings move
   bool blended = false; ///< the last resort was needed
   bool aborted = false; ///< somebody asked to end: there are no positions
 };
 
-/// Deforms without folds [guard]. Where triangles turn over or newly intersect, lambda is lowered
-/// everywhere and the model solved again, at most `lowerings` times; then it grows again where that
-/// brings nothing back. Shares differ by no more than a factor of 2 over a third of the diagonal
-/// along edges and stitches. If folds are left, the result goes back to the rest shape, first where
-/// they are and then all over: there it has none.
+/// Deforms without folds [guard]. Where triangles turn over or newly intersect in small places, the
+/// points there are moved as their surroundings move. Else lambda is lowered everywhere and the
+/// model solved again, at most `lowerings` times; then it grows again where that brings nothing
+/// back. Shares differ by no more than a factor of 2 over a third of the diagonal along edges and
+/// stitches. If folds are left, the result goes back to the rest shape, first where they are and
+/// then all over: there it has none.
 /// @param rest  every triangle has an area
 /// Cost: at most lowerings + raisings + 1 solves and searches, 2 * blends searches more with the
 /// last resort, and one solve if the last trial was not the best; one of each where nothing folds.
+/// Searches after a repair are those around the places only.
 FoldGuardReport SolveWithoutFolds(const TriangleMesh& rest, const FoldGuardOptions& options,
   const IntersectionSearch& search, const ShareSolve& solve);
 } // namespace SphericalStyle

@@ -111,15 +111,16 @@ int CountFolds(const TriangleMesh& rest, const Points& Q)
     static_cast<int>(BruteForce({ Q, rest.F }).size());
 }
 
-// Moves a point along the ball, to behind one of its neighbors.
-void DrawOver(const TriangleMesh& ball, int point, Points& Q)
+// Moves a point along the ball, to behind one of its neighbors, by so much of the edge to it.
+void DrawOver(const TriangleMesh& ball, int point, Points& Q, double behind = 1.2)
 {
   for (Eigen::Index f = 0; f < ball.F.rows(); ++f)
   {
     if (ball.F(f, 0) == point)
     {
       const double radius = Q.row(point).norm();
-      Q.row(point) = (2.2 * Q.row(ball.F(f, 1)) - 1.2 * Q.row(point)).normalized() * radius;
+      Q.row(point) =
+        ((1.0 + behind) * Q.row(ball.F(f, 1)) - behind * Q.row(point)).normalized() * radius;
       return;
     }
   }
@@ -192,6 +193,48 @@ void TestFinder()
     true, 1);
   single.Find(rest.P / 3.0);
   CHECK(rounded, "with single precision the points that are written should be searched");
+}
+
+// Around places of triangles: all pairs with one of them, and no search far away.
+void TestFindAtPlaces()
+{
+  const TriangleMesh mesh = Dumbbell();
+  StyleSolver solver;
+  solver.SetMesh(mesh);
+  int solves = 0;
+  const Points Q = SolveOf(solver, Strong(), solves)(Eigen::VectorXd::Ones(mesh.P.rows()));
+  Eigen::Index searched = 0;
+  const auto search = [&searched](const TriangleMesh& other)
+  {
+    searched = other.F.rows();
+    return BruteForce(other);
+  };
+  FoldFinder finder(mesh, search, false, 1);
+  const int all = finder.Find(Q).newPairs; // searches the rest shape, too
+  int inOne = 0;
+  for (int f = 0; f < mesh.F.rows(); f += 29)
+  {
+    const std::vector<std::vector<int>> places = { { f }, { (f + 100) % 200 } };
+    const Folds folds = finder.Find(Q, places);
+    CHECK(folds.newPairs <= all && searched < mesh.F.rows() / 2, searched << " were searched");
+    int expected = 0;
+    for (const auto& [g, h] : BruteForce({ Q, mesh.F }))
+    {
+      for (const std::vector<int>& place : places)
+      {
+        if (g == place[0] || h == place[0])
+        {
+          ++expected;
+          CHECK(std::binary_search(folds.triangles.begin(), folds.triangles.end(), g) &&
+              std::binary_search(folds.triangles.begin(), folds.triangles.end(), h),
+            "the pair " << g << ", " << h << " at triangle " << place[0]);
+        }
+      }
+    }
+    CHECK(folds.newPairs >= expected, "at triangle " << f);
+    inOne = std::max(inOne, expected);
+  }
+  CHECK(inOne > 5, "some triangles should run through many, not " << inOne);
 }
 
 // An eye in a head may slide, but not run through the head elsewhere.
@@ -280,6 +323,104 @@ void TestClean()
   CHECK(solves == 1 && report.solves == 1, "one solve expected, not " << solves);
   CHECK((report.shares.array() == 1.0).all(), "all of lambda should stay");
   CHECK(!report.before.Any() && !report.after.Any() && !report.blended, "no folds");
+}
+
+// A similarity but for one point, drawn over its neighbor, where it moves as they do.
+void TestRepair()
+{
+  const TriangleMesh mesh = Meshes::Icosphere(5);
+  const double shrink = 0.8;
+  Points pushed = shrink * mesh.P;
+  DrawOver(mesh, 77, pushed, 0.5);
+  int searches = 0;
+  Eigen::Index searched = 0;
+  const auto search = [&](const TriangleMesh& other) -> std::vector<Pair>
+  {
+    ++searches;
+    searched = other.F.rows();
+    return {};
+  };
+  const FoldGuardReport report =
+    SolveWithoutFolds(mesh, {}, search, [&](const Eigen::VectorXd&) { return pushed; });
+  CHECK(report.before.turnedOver > 0 && !report.after.Any() && !report.blended, "no fold is left");
+  CHECK(report.solves == 1 && (report.shares.array() == 1.0).all() && report.meanShare == 1.0,
+    "all of lambda stays");
+  const Eigen::VectorXd distances = (report.positions - shrink * mesh.P).rowwise().norm();
+  CHECK(distances.maxCoeff() < 1e-13, "and all points follow, to " << distances.maxCoeff());
+  const auto moved = (report.positions - pushed).rowwise().norm().array() != 0.0;
+  CHECK(report.repaired == moved.count() && report.repaired > 0 && report.repaired < 20,
+    report.repaired << " points were moved");
+  CHECK(searches == 2 && searched < mesh.F.rows() / 10, "the second search is around the place");
+
+  // Points at rest, such as those outside a region, stay there.
+  Points half = mesh.P;
+  DrawOver(mesh, 77, half, 0.5);
+  const FoldGuardReport region =
+    SolveWithoutFolds(mesh, {}, NoPairs, [&](const Eigen::VectorXd&) { return half; });
+  CHECK(region.solves == 1 && region.repaired == 1,
+    "only the point that moved is moved back, not " << region.repaired);
+  CHECK((region.positions - mesh.P).rowwise().norm().maxCoeff() < 1e-13, "to the rest shape");
+
+  // More than 2 % of the diagonal is no repair.
+  const TriangleMesh coarse = Meshes::Icosphere(4);
+  Points far = shrink * coarse.P;
+  DrawOver(coarse, 77, far);
+  CHECK((far - shrink * coarse.P).rowwise().norm().maxCoeff() > 0.02 * Meshes::Diagonal(coarse.P),
+    "the point is drawn far");
+  const FoldGuardReport refused =
+    SolveWithoutFolds(coarse, {}, NoPairs, [&](const Eigen::VectorXd&) { return far; });
+  CHECK(refused.solves > 1 && refused.repaired == 0 && !refused.after.Any(), "lambda is lowered");
+}
+
+// A square of squares, where two triangles are said to fold as long as a point so many edges away
+// is where it was solved: .5, 1 and 2 % of the diagonal reach 0, 1 and 2 edges far.
+void TestRepairWidths()
+{
+  constexpr int Length = 100;
+  std::vector<Vector3d> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i <= Length; ++i)
+  {
+    for (int j = 0; j <= Length; ++j)
+    {
+      points.emplace_back(i, j, 0.0);
+      if (i < Length && j < Length)
+      {
+        const int k = i * (Length + 1) + j;
+        triangles.push_back({ k, k + Length + 1, k + 1 });
+        triangles.push_back({ k + 1, k + Length + 1, k + Length + 2 });
+      }
+    }
+  }
+  const TriangleMesh square = Meshes::Make(points, triangles);
+  const int fold = Length * Length;
+  const int corner = square.F(fold, 0); // i descends from it
+  for (const int edges : { 0, 1, 2, 3 })
+  {
+    Points solved = 0.8 * square.P;
+    const int bump = corner - edges * (Length + 1);
+    solved(bump, 2) = 0.1;
+    const auto search = [&](const TriangleMesh& other) -> std::vector<Pair>
+    {
+      const bool isAll = other.F.rows() == square.F.rows();
+      return other.P(bump, 2) != 0.1 ? std::vector<Pair>()
+        : isAll                      ? std::vector<Pair>{ { fold, fold + 1 } }
+                                     : std::vector<Pair>{ { 0, 1 } };
+    };
+    const FoldGuardReport report =
+      SolveWithoutFolds(square, {}, search, [&](const Eigen::VectorXd&) { return solved; });
+    const bool isNear = edges < 3;
+    CHECK(isNear == (report.repaired > 0) && isNear == (report.solves == 1) &&
+        report.blended == !isNear,
+      edges << " edges: " << report.repaired << " points in " << report.solves << " solves");
+    const double reach = edges + std::sqrt(2.0) + 1e-9; // from any corner of the two
+    for (int i = 0; isNear && i < square.P.rows(); ++i)
+    {
+      CHECK((square.P.row(i) - square.P.row(corner)).norm() < reach + 1.0 ||
+          report.positions.row(i) == solved.row(i),
+        edges << " edges: point " << i << " should stay");
+    }
+  }
 }
 
 void TestDumbbell()
@@ -430,9 +571,12 @@ void TestAbort()
 int main()
 {
   TestFinder();
+  TestFindAtPlaces();
   TestContacts();
   TestWidth();
   TestClean();
+  TestRepair();
+  TestRepairWidths();
   TestDumbbell();
   TestNoGain();
   TestLastResort();

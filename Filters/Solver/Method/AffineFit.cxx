@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AffineFit.h"
+
+#include "LocalStep.h"
+
+#include <Eigen/LU>
+
+namespace SphericalStyle
+{
+namespace
+{
+constexpr double Stiffness = 0.003; // of the spread: against leaving the similarity
+}
+
+AffineMap FitAffineMap(const Points& P, const Points& Q, const Eigen::VectorXd& a)
+{
+  AffineMap map;
+  map.from = a.transpose() * P / a.sum();
+  map.to = a.transpose() * Q / a.sum();
+  const Points p = P.rowwise() - map.from;
+  Points r = Q.rowwise() - map.to;
+  const Eigen::Matrix3d C = p.transpose() * a.asDiagonal() * p;
+  const double spread = C.trace();
+  map.L.setIdentity();
+  if (!(spread > 0.0))
+  {
+    return map; // one point
+  }
+  const Eigen::Matrix3d S = p.transpose() * a.asDiagonal() * r;
+  const Eigen::Matrix3d R = ClosestRotation(S);
+  map.L = (R * S).trace() / spread * R;
+  r -= p * map.L.transpose();
+  const Eigen::Matrix3d K = C + Stiffness * spread * Eigen::Matrix3d::Identity();
+  map.L += r.transpose() * a.asDiagonal() * p * K.inverse();
+  return map;
+}
+} // namespace SphericalStyle
