@@ -478,12 +478,12 @@ public:
   /**
    * Move small places where triangles would turn over or newly run through each other as their
    * surroundings move; where that is not enough, use less Roundness and solve again until none does
-   * [guard]. The result is checked as it is written, in the number type
-   * of the output. What the input has already stays. With NormalBlend 0 on models without thin
-   * parts it rarely changes anything: then the result has the same bits as without. Off with
-   * ReproduceThesis. Cost: a search for self-intersections, and where it finds
-   * some up to 26 solves and 30 searches, usually 4 to 20. Needs CGAL: an error in libraries built
-   * without it. Default off.
+   * [guard]. The result is checked as it is written, in the number type of the output. What the
+   * input has already stays. With NormalBlend 0 on models without thin parts it rarely changes
+   * anything: then the result has the same bits as without. Off with ReproduceThesis. Cost: a
+   * search for self-intersections, and where it finds some up to 26 solves and 30 searches, usually
+   * 1 to 14, and after each solve up to three searches around small places. Needs CGAL: an error in
+   * libraries built without it. Default off.
    */
   vtkSetMacro(AvoidSelfIntersections, bool);
   vtkGetMacro(AvoidSelfIntersections, bool);

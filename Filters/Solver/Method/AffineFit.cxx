@@ -4,17 +4,23 @@
 
 #include "LocalStep.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 namespace SphericalStyle
 {
 namespace
 {
+constexpr double Line = 1e-6;       // of the spread: less across than this is on a line
 constexpr double Stiffness = 0.003; // of the spread: against leaving the similarity
 }
 
-AffineMap FitAffineMap(const Points& P, const Points& Q, const Eigen::VectorXd& a)
+std::optional<AffineMap> FitAffineMap(const Points& P, const Points& Q, const Eigen::VectorXd& a)
 {
+  if (!(a.sum() > 0.0))
+  {
+    return {};
+  }
   AffineMap map;
   map.from = a.transpose() * P / a.sum();
   map.to = a.transpose() * Q / a.sum();
@@ -22,10 +28,11 @@ AffineMap FitAffineMap(const Points& P, const Points& Q, const Eigen::VectorXd& 
   Points r = Q.rowwise() - map.to;
   const Eigen::Matrix3d C = p.transpose() * a.asDiagonal() * p;
   const double spread = C.trace();
-  map.L.setIdentity();
-  if (!(spread > 0.0))
+  const Eigen::Vector3d along =
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(C, Eigen::EigenvaluesOnly).eigenvalues();
+  if (!(along(1) > Line * spread))
   {
-    return map; // one point
+    return {};
   }
   const Eigen::Matrix3d S = p.transpose() * a.asDiagonal() * r;
   const Eigen::Matrix3d R = ClosestRotation(S);

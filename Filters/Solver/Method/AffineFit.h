@@ -7,6 +7,8 @@
 
 #include "TriangleMesh.h"
 
+#include <optional>
+
 namespace SphericalStyle
 {
 /// x -> to + L (x - from), in rows.
@@ -22,17 +24,17 @@ struct AffineMap
   }
 };
 
-/// Fits q_i by p_i [guard]: with p and q from their weighted means on, the similarity s R closest
-/// to them, and then
+/// Fits q_i by p_i [guard]: relative to their weighted means, the similarity s R closest to them,
+/// and then
 ///
 ///     L = s R + (sum a_i r_i p_i^T) (sum a_i p_i p_i^T + .003 sum a_i |p_i|^2 I)^-1,
 ///     r_i = q_i - s R p_i.
 ///
-/// A similarity that all points follow is found to rounding. Where the points are flat or straight,
-/// L is that of the similarity across them.
-/// @param P  k x 3, of about size 1 @param Q  k x 3, the same @param a  k weights, 0 or more, not
-/// all 0
-AffineMap FitAffineMap(const Points& P, const Points& Q, const Eigen::VectorXd& a);
+/// A similarity that all points follow is found to rounding. Across a plane that the points lie in,
+/// L is that of the similarity.
+/// @param P  k x 3, of about size 1 @param Q  k x 3, the same @param a  k weights, 0 or more
+/// @return nothing if the points with a weight lie on a line, or there are none
+std::optional<AffineMap> FitAffineMap(const Points& P, const Points& Q, const Eigen::VectorXd& a);
 } // namespace SphericalStyle
 
 #endif

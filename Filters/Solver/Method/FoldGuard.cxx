@@ -8,6 +8,7 @@
 #include "OneRings.h"
 #include "Stitches.h"
 #include "SurfaceMeasures.h"
+#include "UnitScale.h"
 
 #include <Eigen/Geometry>
 
@@ -75,10 +76,10 @@ struct Places
     {
       for (const int i : F.row(f))
       {
-        const int place = this->placeOf[i];
-        if (place >= 0 && (triangles[place].empty() || triangles[place].back() != f))
+        if (this->placeOf[i] >= 0)
         {
-          triangles[place].push_back(f);
+          triangles[this->placeOf[i]].push_back(f);
+          break; // its other points are in no other place, since it joins them
         }
       }
     }
@@ -94,9 +95,10 @@ public:
     : Mesh(rest)
     , Unit(FrameOf(rest.P))
     , InUnit(Unit.Into(rest.P))
-    , Weights(PointAreas(rest.P, rest.F) / PointAreas(rest.P, rest.F).sum())
+    , Weights(PointAreas(InUnit, rest.F))
     , Stitched(rest.P.rows())
   {
+    this->Weights /= this->Weights.sum();
     const MeshTopology topology(rest.F, static_cast<int>(rest.P.rows()));
     this->Rings = OneRings(topology, HalfEdgeScalars::Zero(rest.F.rows(), 3));
     // Parts that share no edge are to move with their surroundings, too.
@@ -171,9 +173,10 @@ public:
   /// Where the weights are positive, along edges and stitches.
   Places FindPlaces(const Eigen::VectorXd& weights) const;
 
-  /// Q with the points of each place moved by the affine map that is closest to how the place and
-  /// the points next to it move, the more the smaller their weights; in full at weight 1, falling
-  /// to not at all at 0. Points that Q leaves at rest stay.
+  /// Q with each place moved by an affine map of its own, fitted to its points and those next to
+  /// it; points with smaller weights count more in the fit. A point of weight 1 goes all the way to
+  /// where the map puts it, one of weight 0 stays (smoothstep). So does a point that Q leaves at
+  /// rest. All stay within the bounds of Q, so that nothing gets below the ground.
   Points WithPlacesMoved(
     const Points& Q, const Places& places, const Eigen::VectorXd& weights) const;
 
@@ -244,6 +247,8 @@ Points OctaveFields::WithPlacesMoved(
 {
   const auto fade = [&weights](int i)
   { return weights(i) * weights(i) * (3.0 - 2.0 * weights(i)); };
+  const Eigen::RowVector3d low = Q.colwise().minCoeff();
+  const Eigen::RowVector3d high = Q.colwise().maxCoeff();
   Points moved = Q;
   for (const std::vector<int>& place : places.points)
   {
@@ -266,18 +271,15 @@ Points OctaveFields::WithPlacesMoved(
     {
       a(k) *= 1.0 - fade(fitted[k]);
     }
-    if (!(a.sum() > 0.0))
-    {
-      continue; // all of a part folds
-    }
-    const AffineMap map =
+    const std::optional<AffineMap> map =
       FitAffineMap(this->InUnit(fitted, AllColumns), this->Unit.Into(Q(fitted, AllColumns)), a);
     for (const int i : place)
     {
-      if (Q.row(i) != this->Mesh.P.row(i))
+      if (map && Q.row(i) != this->Mesh.P.row(i))
       {
-        const Points there = this->Unit.OutOf(map(this->InUnit.row(i)));
+        const Points there = this->Unit.OutOf((*map)(this->InUnit.row(i)));
         moved.row(i) += fade(i) * (there.row(0) - Q.row(i));
+        moved.row(i) = moved.row(i).cwiseMax(low).cwiseMin(high);
       }
     }
   }
@@ -562,9 +564,11 @@ Folds FoldFinder::Find(const Points& Q, const std::vector<std::vector<int>>& pla
   const Points points = this->Written(Q);
   const std::vector<int> triangles = WithArea(points, this->Rest.F);
   Folds folds;
-  const TriangleMesh rest = { this->Rest.P, this->Rest.F(triangles, AllColumns) };
+  const double unit = UnitScale(this->Rest.P); // areas are infinite from 1e154 on
+  const TriangleMesh rest = { unit * this->Rest.P, this->Rest.F(triangles, AllColumns) };
+  const Points moved = unit * points;
   const std::vector<char> over =
-    TurnedOver(rest.P, points, rest.F, SurfaceRotations(rest, points, this->Threads));
+    TurnedOver(rest.P, moved, rest.F, SurfaceRotations(rest, moved, this->Threads));
   for (std::size_t k = 0; k < over.size(); ++k)
   {
     if (over[k])

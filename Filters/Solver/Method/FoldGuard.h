@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Less roundness where the surface would fold or run through itself [guard].
+/// Repairs, and less roundness, where the surface would fold or run through itself [guard].
 #ifndef SphericalStyle_FoldGuard_h
 #define SphericalStyle_FoldGuard_h
 
@@ -47,8 +47,9 @@ public:
 
   /// Triangles without an area in Q have no side and meet nothing. The rest shape is searched once,
   /// when first something intersects in a Q. @param Q  n x 3
-  /// @param places  if there are any: pairs are looked for only where triangles of one place may be
-  ///        among them, for all others are known to have no new pairs
+  /// @param places  of triangles. If there are any, only pairs with a triangle in a place are sure
+  /// to
+  ///        be found: the caller knows that all others have no new pairs
   Folds Find(const Points& Q, const std::vector<std::vector<int>>& places = {});
 
 private:
@@ -97,8 +98,8 @@ struct FoldGuardReport
 /// then all over: there it has none.
 /// @param rest  every triangle has an area
 /// Cost: at most lowerings + raisings + 1 solves and searches, 2 * blends searches more with the
-/// last resort, and one solve if the last trial was not the best; one of each where nothing folds.
-/// Searches after a repair are those around the places only.
+/// last resort, and one of each if the last trial was not the best; one of each where nothing
+/// folds. After each solve, up to `repairs` searches around small places.
 FoldGuardReport SolveWithoutFolds(const TriangleMesh& rest, const FoldGuardOptions& options,
   const IntersectionSearch& search, const ShareSolve& solve);
 } // namespace SphericalStyle

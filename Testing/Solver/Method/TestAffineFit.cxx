@@ -44,14 +44,14 @@ void TestSimilarity()
   Q.row(5) += Eigen::RowVector3d(3.0, 1.0, 2.0);
   Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(P.rows(), 0.5, 2.0);
   a(5) = 0.0;
-  const AffineMap map = FitAffineMap(P, Q, a);
+  const AffineMap map = *FitAffineMap(P, Q, a);
   CHECK((map.L - L).norm() < 1e-13, "the similarity, not with an error of " << (map.L - L).norm());
   Q.row(5) = Image(P, L).row(5);
   CHECK(Distances(map, P, Q).maxCoeff() < 1e-13, "at all points, also the one without weight");
 
   a(5) = 1.0;
   Q.row(5) += Eigen::RowVector3d(3.0, 1.0, 2.0);
-  CHECK((FitAffineMap(P, Q, a).L - L).norm() > 1e-3, "with weight it counts");
+  CHECK((FitAffineMap(P, Q, a)->L - L).norm() > 1e-3, "with weight it counts");
 }
 
 // One direction becomes longer: hardly anything is left, where the similarity alone is far away.
@@ -61,7 +61,7 @@ void TestAffine()
   const Eigen::Matrix3d L = Rotation() * Eigen::Vector3d(1.0, 1.3, 0.8).asDiagonal();
   const Points Q = Image(P, L);
   const double left =
-    Distances(FitAffineMap(P, Q, Eigen::VectorXd::Ones(P.rows())), P, Q).maxCoeff();
+    Distances(*FitAffineMap(P, Q, Eigen::VectorXd::Ones(P.rows())), P, Q).maxCoeff();
   CHECK(left > 0.0 && left < 0.004, "left " << left);
 }
 
@@ -71,13 +71,24 @@ void TestFlat()
   Points P = Meshes::Icosphere(2).P;
   P.col(2).setZero();
   const Eigen::Matrix3d L = 1.5 * Rotation();
-  const AffineMap map = FitAffineMap(P, Image(P, L), Eigen::VectorXd::Ones(P.rows()));
+  const AffineMap map = *FitAffineMap(P, Image(P, L), Eigen::VectorXd::Ones(P.rows()));
   CHECK((map.L - L).norm() < 1e-13, "not with an error of " << (map.L - L).norm());
+}
 
-  const Points one = P.topRows(1);
-  const AffineMap move = FitAffineMap(one, Image(one, L), Eigen::VectorXd::Ones(1));
-  CHECK(move.L == Eigen::Matrix3d::Identity() && move(one.row(0)) == Image(one, L).row(0),
-    "one point moves");
+// How a line turns about itself is not determined.
+void TestLine()
+{
+  Points P = Meshes::Icosphere(1).P;
+  Eigen::VectorXd a = Eigen::VectorXd::Ones(P.rows());
+  CHECK(FitAffineMap(P, P, a), "a ball");
+  CHECK(!FitAffineMap(P, P, 0.0 * a), "no weight");
+  CHECK(!FitAffineMap(P.topRows(1), P.topRows(1), a.head(1)), "one point");
+  CHECK(!FitAffineMap(P.topRows(2), P.topRows(2), a.head(2)), "two points");
+  CHECK(FitAffineMap(P.topRows(3), P.topRows(3), a.head(3)), "three points");
+  a.tail(P.rows() - 2).setZero();
+  CHECK(!FitAffineMap(P, P, a), "two points with a weight");
+  P = P.col(0) * Eigen::RowVector3d(1.0, 2.0, -0.5);
+  CHECK(!FitAffineMap(P, P, Eigen::VectorXd::Ones(P.rows())), "many on a line");
 }
 }
 
@@ -86,5 +97,6 @@ int main()
   TestSimilarity();
   TestAffine();
   TestFlat();
+  TestLine();
   return CheckResult();
 }

@@ -372,11 +372,44 @@ void TestRepair()
   CHECK(refused.solves > 1 && refused.repaired == 0 && !refused.after.Any(), "lambda is lowered");
 }
 
-// A square of squares, where two triangles are said to fold as long as a point so many edges away
-// is where it was solved: .5, 1 and 2 % of the diagonal reach 0, 1 and 2 edges far.
-void TestRepairWidths()
+// The repair is the same at any size.
+void TestRepairSizes()
 {
-  constexpr int Length = 100;
+  const TriangleMesh mesh = Meshes::Icosphere(5);
+  for (const double size : { 1e-290, 1e-100, 1.0, 1e100, 1e290 })
+  {
+    const TriangleMesh sized = { size * mesh.P, mesh.F };
+    Points pushed = 0.8 * mesh.P;
+    DrawOver(mesh, 77, pushed, 0.5);
+    pushed *= size;
+    const FoldGuardReport report =
+      SolveWithoutFolds(sized, {}, NoPairs, [&](const Eigen::VectorXd&) { return pushed; });
+    CHECK(report.solves == 1 && report.repaired > 0, "size " << size << ": " << report.solves);
+    CHECK((report.positions / size - 0.8 * mesh.P).rowwise().norm().maxCoeff() < 1e-13,
+      "size " << size << ": all points follow");
+  }
+}
+
+// What is repaired does not get below the others, here below the ground.
+void TestRepairBounds()
+{
+  const TriangleMesh mesh = Meshes::Turned(Meshes::Icosphere(5), Meshes::Random(1).Rotation());
+  Eigen::Index lowest = 0;
+  mesh.P.col(2).minCoeff(&lowest);
+  Points pushed = 0.8 * mesh.P;
+  DrawOver(mesh, static_cast<int>(lowest), pushed, 0.5);
+  const double ground = pushed.col(2).minCoeff();
+  CHECK(ground > 0.8 * mesh.P(lowest, 2), "the lowest point is drawn up");
+  const FoldGuardReport report =
+    SolveWithoutFolds(mesh, {}, NoPairs, [&](const Eigen::VectorXd&) { return pushed; });
+  CHECK(report.solves == 1 && report.repaired > 0, "repaired");
+  CHECK(report.positions.col(2).minCoeff() == ground, "the ground stays where it was");
+}
+
+constexpr int Length = 100; // of a square of squares of size 1
+
+TriangleMesh Square()
+{
   std::vector<Vector3d> points;
   std::vector<std::array<int, 3>> triangles;
   for (int i = 0; i <= Length; ++i)
@@ -392,35 +425,145 @@ void TestRepairWidths()
       }
     }
   }
-  const TriangleMesh square = Meshes::Make(points, triangles);
-  const int fold = Length * Length;
-  const int corner = square.F(fold, 0); // i descends from it
+  return Meshes::Make(points, triangles);
+}
+
+// The first triangle of a square.
+int TriangleAt(int i, int j)
+{
+  return 2 * (i * Length + j);
+}
+
+// Pairs as long as one of some points is at height .1.
+IntersectionSearch WhileBumps(
+  const TriangleMesh& mesh, const std::vector<int>& bumps, const std::vector<Pair>& pairs)
+{
+  return [&mesh, bumps, pairs](const TriangleMesh& other) -> std::vector<Pair>
+  {
+    const bool folds =
+      std::any_of(bumps.begin(), bumps.end(), [&](int i) { return other.P(i, 2) == 0.1; });
+    return !folds                       ? std::vector<Pair>()
+      : other.F.rows() == mesh.F.rows() ? pairs
+                                        : std::vector<Pair>{ { 0, 1 } };
+  };
+}
+
+// Two triangles are said to fold as long as a point so many edges away is where it was solved: .5,
+// 1 and 2 % of the diagonal reach 0, 1 and 2 edges far.
+void TestRepairWidths()
+{
+  const TriangleMesh square = Square();
+  const int fold = TriangleAt(Length / 2, 0);
   for (const int edges : { 0, 1, 2, 3 })
   {
     Points solved = 0.8 * square.P;
-    const int bump = corner - edges * (Length + 1);
+    const int bump = square.F(fold, 0) - edges * (Length + 1); // i descends
     solved(bump, 2) = 0.1;
-    const auto search = [&](const TriangleMesh& other) -> std::vector<Pair>
-    {
-      const bool isAll = other.F.rows() == square.F.rows();
-      return other.P(bump, 2) != 0.1 ? std::vector<Pair>()
-        : isAll                      ? std::vector<Pair>{ { fold, fold + 1 } }
-                                     : std::vector<Pair>{ { 0, 1 } };
-    };
     const FoldGuardReport report =
-      SolveWithoutFolds(square, {}, search, [&](const Eigen::VectorXd&) { return solved; });
+      SolveWithoutFolds(square, {}, WhileBumps(square, { bump }, { { fold, fold + 1 } }),
+        [&](const Eigen::VectorXd&) { return solved; });
     const bool isNear = edges < 3;
     CHECK(isNear == (report.repaired > 0) && isNear == (report.solves == 1) &&
         report.blended == !isNear,
       edges << " edges: " << report.repaired << " points in " << report.solves << " solves");
-    const double reach = edges + std::sqrt(2.0) + 1e-9; // from any corner of the two
-    for (int i = 0; isNear && i < square.P.rows(); ++i)
+    if (!isNear)
     {
-      CHECK((square.P.row(i) - square.P.row(corner)).norm() < reach + 1.0 ||
-          report.positions.row(i) == solved.row(i),
+      continue;
+    }
+    const double width = (edges == 0 ? 0.005 : 0.01 * edges) * Meshes::Diagonal(square.P);
+    for (int i = 0; i < square.P.rows(); ++i)
+    {
+      double distance = Length;
+      for (const int f : { fold, fold + 1 })
+      {
+        for (const int corner : square.F.row(f))
+        {
+          distance = std::min(distance, (square.P.row(i) - square.P.row(corner)).norm());
+        }
+      }
+      CHECK(distance < width || report.positions.row(i) == solved.row(i),
         edges << " edges: point " << i << " should stay");
     }
+    // The bump is far from all that the others follow, so what stays of it is the fade.
+    const double h = 1.0 - edges / width;
+    const double left = 0.1 * (1.0 - h * h * (3.0 - 2.0 * h));
+    CHECK_NEAR(report.positions(bump, 2), left, 0.004, edges << " edges: what is left of the bump");
   }
+}
+
+// With places of 1 % of the surface it is no repair: 4 of 10,000 points each.
+void TestRepairAreas()
+{
+  const TriangleMesh square = Square();
+  for (const int places : { 2, 24, 26 })
+  {
+    Points solved = 0.8 * square.P;
+    std::vector<int> bumps;
+    std::vector<Pair> pairs;
+    for (int k = 0; k < places; ++k)
+    {
+      const int f = TriangleAt(10 + 15 * (k % 6), 10 + 15 * (k / 6));
+      bumps.push_back(square.F(f, 0));
+      pairs.push_back({ f, f + 1 });
+      solved(bumps.back(), 2) = 0.1;
+    }
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<char> wasSearched(square.F.rows(), 0); // by the last search
+    const IntersectionSearch whileBumps = WhileBumps(square, bumps, pairs);
+    const FoldGuardReport report = SolveWithoutFolds(
+      square, {},
+      [&](const TriangleMesh& other)
+      {
+        std::fill(wasSearched.begin(), wasSearched.end(), 0);
+        for (Eigen::Index f = 0, g = 0; f < square.F.rows() && g < other.F.rows(); ++f)
+        {
+          wasSearched[f] = square.F.row(f) == other.F.row(g);
+          g += wasSearched[f];
+        }
+        return whileBumps(other);
+      },
+      [&](const Eigen::VectorXd&) { return solved; });
+    const bool isSmall = places < 25;
+    CHECK((report.solves == 1) == isSmall && (report.repaired >= places) == isSmall,
+      places << " places: " << report.repaired << " points in " << report.solves << " solves");
+    // All that may meet a triangle that changed, such as those that share a point with it.
+    std::vector<char> isNext(square.P.rows(), 0);
+    for (Eigen::Index f = 0; f < square.F.rows(); ++f)
+    {
+      const auto corners = square.F.row(f);
+      if (std::any_of(corners.begin(), corners.end(),
+            [&](int i) { return report.positions.row(i) != solved.row(i); }))
+      {
+        std::for_each(corners.begin(), corners.end(), [&isNext](int i) { isNext[i] = 1; });
+      }
+    }
+    for (Eigen::Index f = 0; isSmall && f < square.F.rows(); ++f)
+    {
+      const auto corners = square.F.row(f);
+      CHECK(wasSearched[f] ||
+          std::none_of(corners.begin(), corners.end(), [&isNext](int i) { return isNext[i]; }),
+        "triangle " << f << " was not searched");
+    }
+    CHECK(places != 2 || std::count(wasSearched.begin(), wasSearched.end(), 1) < 200,
+      "the search is around the places");
+  }
+}
+
+// Parts move with their surroundings, too: a place goes on to the next part.
+void TestRepairParts()
+{
+  const TriangleMesh square = Square();
+  const TriangleMesh both =
+    Meshes::Together({ square, Meshes::Moved(square, Vector3d(0.0, 0.0, 0.3)) });
+  const int fold = TriangleAt(Length / 2, Length / 2);
+  const int bump = static_cast<int>(square.P.rows()) + both.F(fold, 0); // above it
+  Points solved = 0.8 * both.P;
+  solved(bump, 2) = 0.1;
+  const FoldGuardReport report =
+    SolveWithoutFolds(both, {}, WhileBumps(both, { bump }, { { fold, fold + 1 } }),
+      [&](const Eigen::VectorXd&) { return solved; });
+  CHECK(report.solves == 1 && report.positions(bump, 2) != 0.1,
+    "the part above moves along, in " << report.solves << " solves");
 }
 
 void TestDumbbell()
@@ -576,7 +719,11 @@ int main()
   TestWidth();
   TestClean();
   TestRepair();
+  TestRepairSizes();
+  TestRepairBounds();
   TestRepairWidths();
+  TestRepairAreas();
+  TestRepairParts();
   TestDumbbell();
   TestNoGain();
   TestLastResort();
