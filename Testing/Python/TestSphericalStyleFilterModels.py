@@ -269,8 +269,8 @@ def area_weights(surface):
     return weights / weights.sum()
 
 
-def guarded_preset(name, preset):
-    """Less roundness alone, and so gently that edges bend hardly more than without the guard."""
+def without_and_with_guard(name, preset):
+    """The model, the filter with the guard, the measures without and with it, the points without."""
     surface = read(name)
     f = vtkSphericalStyleFilter()
     f.SetInputData(surface)
@@ -278,9 +278,15 @@ def guarded_preset(name, preset):
     presets.apply(f, preset)
     f.Update()
     before = measures(f.GetOutput(), surface)
+    unguarded = points(f.GetOutput()).copy()
     f.AvoidSelfIntersectionsOn()
     f.Update()
-    after = measures(f.GetOutput(), surface)
+    return surface, f, before, measures(f.GetOutput(), surface), unguarded
+
+
+def guarded_preset(name, preset):
+    """Less roundness alone, and so gently that edges bend hardly more than without the guard."""
+    surface, f, before, after, _ = without_and_with_guard(name, preset)
     field = f.GetOutputDataObject(1).GetFieldData()
     shares = vtk_to_numpy(f.GetOutput().GetPointData().GetArray("RemainingRoundness")) / f.GetRoundness()
     print(f"  {name}, {preset}: new pairs {before['NewSelfIntersectionPairs']} -> {after['NewSelfIntersectionPairs']}; "
@@ -296,17 +302,7 @@ def guarded_preset(name, preset):
 
 def repaired_preset(name, preset):
     """Folds in small places alone: they are repaired, all of lambda stays, all other points have their bits."""
-    surface = read(name)
-    f = vtkSphericalStyleFilter()
-    f.SetInputData(surface)
-    f.SetOutputPointsPrecision(1)
-    presets.apply(f, preset)
-    f.Update()
-    before = measures(f.GetOutput(), surface)
-    unguarded = points(f.GetOutput()).copy()
-    f.AvoidSelfIntersectionsOn()
-    f.Update()
-    after = measures(f.GetOutput(), surface)
+    surface, f, before, after, unguarded = without_and_with_guard(name, preset)
     field = f.GetOutputDataObject(1).GetFieldData()
     shares = vtk_to_numpy(f.GetOutput().GetPointData().GetArray("RemainingRoundness")) / f.GetRoundness()
     lengths = np.linalg.norm(points(f.GetOutput()) - unguarded, axis=1)
