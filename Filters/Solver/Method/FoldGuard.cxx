@@ -267,7 +267,7 @@ Points OctaveFields::WithPlacesMoved(
     std::sort(fitted.begin(), fitted.end());
     fitted.erase(std::unique(fitted.begin(), fitted.end()), fitted.end());
     Eigen::VectorXd a = this->Weights(fitted);
-    for (std::size_t k = 0; k < fitted.size(); ++k)
+    for (Eigen::Index k = 0; k < a.size(); ++k)
     {
       a(k) *= 1.0 - fade(fitted[k]);
     }
