@@ -17,7 +17,7 @@ constexpr double Stiffness = 0.003; // of the spread: against leaving the simila
 
 std::optional<AffineMap> FitAffineMap(const Points& P, const Points& Q, const Eigen::VectorXd& a)
 {
-  if (!(a.sum() > 0.0))
+  if (!(a.sum() > 0.0) || !Q.allFinite())
   {
     return {};
   }
@@ -40,6 +40,6 @@ std::optional<AffineMap> FitAffineMap(const Points& P, const Points& Q, const Ei
   r -= p * map.L.transpose();
   const Eigen::Matrix3d K = C + Stiffness * spread * Eigen::Matrix3d::Identity();
   map.L += r.transpose() * a.asDiagonal() * p * K.inverse();
-  return map;
+  return map.L.allFinite() && map.to.allFinite() ? std::optional(map) : std::nullopt;
 }
 } // namespace SphericalStyle

@@ -33,7 +33,9 @@ struct AffineMap
 /// A similarity that all points follow is found to rounding. Across a plane that the points lie in,
 /// L is that of the similarity.
 /// @param P  k x 3, of about size 1 @param Q  k x 3, the same @param a  k weights, 0 or more
-/// @return nothing if the points with a weight lie on a line, or there are none
+/// @return nothing if the points with a weight lie on a line, there are none, or Q or the map is
+/// not
+///         finite
 std::optional<AffineMap> FitAffineMap(const Points& P, const Points& Q, const Eigen::VectorXd& a);
 } // namespace SphericalStyle
 

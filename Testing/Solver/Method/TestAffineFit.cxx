@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include <limits>
+
 using namespace SphericalStyle;
 
 namespace
@@ -85,6 +87,8 @@ void TestLine()
   CHECK(!FitAffineMap(P.topRows(1), P.topRows(1), a.head(1)), "one point");
   CHECK(!FitAffineMap(P.topRows(2), P.topRows(2), a.head(2)), "two points");
   CHECK(FitAffineMap(P.topRows(3), P.topRows(3), a.head(3)), "three points");
+  CHECK(!FitAffineMap(P, std::numeric_limits<double>::infinity() * P, a), "infinite");
+  CHECK(!FitAffineMap(P, 1.7e308 * P, 100.0 * a), "sums are infinite");
   a.tail(P.rows() - 2).setZero();
   CHECK(!FitAffineMap(P, P, a), "two points with a weight");
   P = P.col(0) * Eigen::RowVector3d(1.0, 2.0, -0.5);
