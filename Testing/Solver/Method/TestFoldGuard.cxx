@@ -410,22 +410,9 @@ constexpr int Length = 100; // of a square of squares of size 1
 
 TriangleMesh Square()
 {
-  std::vector<Vector3d> points;
-  std::vector<std::array<int, 3>> triangles;
-  for (int i = 0; i <= Length; ++i)
-  {
-    for (int j = 0; j <= Length; ++j)
-    {
-      points.emplace_back(i, j, 0.0);
-      if (i < Length && j < Length)
-      {
-        const int k = i * (Length + 1) + j;
-        triangles.push_back({ k, k + Length + 1, k + 1 });
-        triangles.push_back({ k + 1, k + Length + 1, k + Length + 2 });
-      }
-    }
-  }
-  return Meshes::Make(points, triangles);
+  return Meshes::Moved(
+    Meshes::Scaled(Meshes::Patch(Length, 0.0), Vector3d(0.5 * Length, Length / 1.6, 1.0)),
+    Vector3d(0.5 * Length, 0.5 * Length, 0.0));
 }
 
 // The first triangle of a square.
@@ -457,7 +444,7 @@ void TestRepairWidths()
   for (const int edges : { 0, 1, 2, 3 })
   {
     Points solved = 0.8 * square.P;
-    const int bump = square.F(fold, 0) - edges * (Length + 1); // i descends
+    const int bump = square.F(fold, 0) - edges * (Length + 1); // a row each
     solved(bump, 2) = 0.1;
     const FoldGuardReport report =
       SolveWithoutFolds(square, {}, WhileBumps(square, { bump }, { { fold, fold + 1 } }),
