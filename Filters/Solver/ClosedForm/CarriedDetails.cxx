@@ -4,6 +4,7 @@
 
 #include "LocalStep.h"
 #include "Parallel.h"
+#include "Smoothstep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +27,7 @@ using Gradient = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
 double CertainShare(const Eigen::Matrix3d& S, const Eigen::Matrix3d& R)
 {
-  const double c = RotationCertainty(S, R);
-  return c * c * (3.0 - 2.0 * c);
+  return Smoothstep(RotationCertainty(S, R));
 }
 
 Fields DetailCovariances(

@@ -5,6 +5,8 @@
 #include "DisjointSets.h"
 #include "MeshTopology.h"
 #include "PartShares.h"
+#include "ShortestPaths.h"
+#include "Smoothstep.h"
 #include "SurfaceMeasures.h"
 
 #include <Eigen/Cholesky>
@@ -14,7 +16,6 @@
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <queue>
 #include <utility>
 
 namespace SphericalStyle
@@ -75,31 +76,26 @@ public:
   std::vector<double> From(const std::vector<int>& parts, int part) const
   {
     std::vector<double> distances(parts.size(), std::numeric_limits<double>::infinity());
-    using Item = std::pair<double, int>;
-    std::priority_queue<Item, std::vector<Item>, std::greater<>> front;
+    std::vector<int> starts;
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       if (parts[i] == part)
       {
         distances[i] = 0.0;
-        front.push({ 0.0, static_cast<int>(i) });
+        starts.push_back(static_cast<int>(i));
       }
     }
-    while (!front.empty())
-    {
-      const auto [distance, i] = front.top();
-      front.pop();
-      for (int e = this->First[i]; e < this->First[i + 1] && distance == distances[i]; ++e)
+    LowerAlongPaths(
+      distances, starts,
+      [this](int i, const auto& visit)
       {
-        const int j = this->Others[e];
-        const double further = distance + (this->P.row(i) - this->P.row(j)).norm();
-        if (further < distances[j] && further < this->Limit)
+        for (int e = this->First[i]; e < this->First[i + 1]; ++e)
         {
-          distances[j] = further;
-          front.push({ further, j });
+          const int j = this->Others[e];
+          visit(j, (this->P.row(i) - this->P.row(j)).norm());
         }
-      }
-    }
+      },
+      this->Limit);
     return distances;
   }
 
@@ -193,9 +189,8 @@ void PartSizes::ShareNothingThroughAir(const Triangles& F, double width)
     {
       if (isThere[pieces[i]])
       {
-        const double x =
-          std::clamp((FarAlong - along[i] / width) / (FarAlong - NearAlong), 0.0, 1.0);
-        this->Shares(i, l) *= x * x * (3.0 - 2.0 * x);
+        this->Shares(i, l) *=
+          Smoothstep(std::clamp((FarAlong - along[i] / width) / (FarAlong - NearAlong), 0.0, 1.0));
       }
     }
   }

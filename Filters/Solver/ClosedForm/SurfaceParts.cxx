@@ -5,6 +5,7 @@
 #include "DisjointSets.h"
 #include "LimbThickness.h"
 #include "Parallel.h"
+#include "ShortestPaths.h"
 #include "SurfaceGrid.h"
 
 #include <Eigen/Eigenvalues>
@@ -15,7 +16,6 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <queue>
 #include <unordered_map>
 #include <utility>
 
@@ -574,16 +574,6 @@ void PartFinder::Heal(const std::vector<Samples>& pieces)
     }
   }
   std::vector<double> distance(this->Count(), NoCut);
-  using Item = std::pair<double, int>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> front;
-  const auto reach = [&](int k, double d)
-  {
-    if (d < distance[k] && d < HealedBorder * PartSize)
-    {
-      distance[k] = d;
-      front.push({ d, k });
-    }
-  };
   const auto forOthers = [&](int k, const auto& f)
   {
     for (int e = this->Pairs.first[k]; e < this->Pairs.first[k + 1]; ++e)
@@ -594,32 +584,25 @@ void PartFinder::Heal(const std::vector<Samples>& pieces)
       }
     }
   };
+  std::vector<int> borders;
   for (int k = 0; k < static_cast<int>(pieceOf.size()); ++k)
   {
     if (pieceOf[k] != NotThere)
     {
-      forOthers(k,
-        [&](int l)
-        {
-          if (pieceOf[l] != pieceOf[k])
-          {
-            reach(k, 0.0);
-          }
-        });
+      forOthers(k, [&](int l) { distance[k] = pieceOf[l] != pieceOf[k] ? 0.0 : distance[k]; });
+      if (distance[k] == 0.0)
+      {
+        borders.push_back(k);
+      }
     }
   }
   const Points& x = this->Grid.GetPlaces();
-  while (!front.empty())
-  {
-    const double d = front.top().first;
-    const int k = front.top().second;
-    front.pop();
-    if (d == distance[k])
-    {
-      this->Conductivity(k) = 1.0;
-      forOthers(k, [&](int l) { reach(l, d + (x.row(k) - x.row(l)).norm()); });
-    }
-  }
+  const std::vector<int> healed = LowerAlongPaths(
+    distance, borders,
+    [&](int k, const auto& visit)
+    { forOthers(k, [&](int l) { visit(l, (x.row(k) - x.row(l)).norm()); }); },
+    HealedBorder * PartSize);
+  this->Conductivity(healed).setOnes();
 }
 
 /// What does not hang together; what is too small to be a part is left to the nearest that is not.

@@ -6,6 +6,8 @@
 #include "DeformationMeasures.h"
 #include "Frame.h"
 #include "OneRings.h"
+#include "ShortestPaths.h"
+#include "Smoothstep.h"
 #include "Stitches.h"
 #include "SurfaceMeasures.h"
 #include "UnitScale.h"
@@ -14,9 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
-#include <queue>
 #include <utility>
 
 namespace SphericalStyle
@@ -110,38 +110,23 @@ public:
   }
 
   /// The largest field that is nowhere above the given one (0 or less) and whose slope along the
-  /// edges is at most so much per diagonal: Dijkstra's paths from the low points.
+  /// edges is at most so much per diagonal.
   Eigen::VectorXd Limit(Eigen::VectorXd field, double slope) const
   {
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    std::vector<int> starts;
     for (int i = 0; i < field.size(); ++i)
     {
       if (field(i) < 0.0)
       {
-        queue.push({ field(i), i });
+        starts.push_back(i);
       }
     }
-    while (!queue.empty())
-    {
-      const auto [value, i] = queue.top();
-      queue.pop();
-      if (value > field(i))
+    LowerAlongPaths(field, starts,
+      [&](int i, const auto& visit)
       {
-        continue; // was lowered since
-      }
-      this->ForEachNeighbor(i,
-        [&, from = i, start = value](int j)
-        {
-          const double length = (this->InUnit.row(from) - this->InUnit.row(j)).norm();
-          const double bound = start + slope * length;
-          if (bound < field(j))
-          {
-            field(j) = bound;
-            queue.push({ bound, j });
-          }
-        });
-    }
+        this->ForEachNeighbor(
+          i, [&](int j) { visit(j, slope * (this->InUnit.row(i) - this->InUnit.row(j)).norm()); });
+      });
     return field;
   }
 
@@ -245,8 +230,6 @@ Places OctaveFields::FindPlaces(const Eigen::VectorXd& weights) const
 Points OctaveFields::WithPlacesMoved(
   const Points& Q, const Places& places, const Eigen::VectorXd& weights) const
 {
-  const auto fade = [&weights](int i)
-  { return weights(i) * weights(i) * (3.0 - 2.0 * weights(i)); };
   const Eigen::RowVector3d low = Q.colwise().minCoeff();
   const Eigen::RowVector3d high = Q.colwise().maxCoeff();
   Points moved = Q;
@@ -269,7 +252,7 @@ Points OctaveFields::WithPlacesMoved(
     Eigen::VectorXd a = this->Weights(fitted);
     for (Eigen::Index k = 0; k < a.size(); ++k)
     {
-      a(k) *= 1.0 - fade(fitted[k]);
+      a(k) *= 1.0 - Smoothstep(weights(fitted[k]));
     }
     const std::optional<AffineMap> map =
       FitAffineMap(this->InUnit(fitted, AllColumns), this->Unit.Into(Q(fitted, AllColumns)), a);
@@ -278,7 +261,7 @@ Points OctaveFields::WithPlacesMoved(
       if (map && Q.row(i) != this->Mesh.P.row(i))
       {
         const Points there = this->Unit.OutOf((*map)(this->InUnit.row(i)));
-        moved.row(i) += fade(i) * (there.row(0) - Q.row(i));
+        moved.row(i) += Smoothstep(weights(i)) * (there.row(0) - Q.row(i));
         moved.row(i) = moved.row(i).cwiseMax(low).cwiseMin(high);
       }
     }

@@ -4,13 +4,12 @@
 
 #include "MeshTopology.h"
 #include "OneRings.h"
+#include "ShortestPaths.h"
 
 #include <algorithm>
-#include <functional>
+#include <limits>
 #include <map>
-#include <queue>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
 namespace SphericalStyle
@@ -18,50 +17,8 @@ namespace SphericalStyle
 namespace
 {
 constexpr double ContactWidth = 0.03; // of the diagonal
+constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// The points whose shortest path along edges from one of the starts is no longer than `reach`.
-std::vector<int> PointsWithin(
-  double reach, const std::set<int>& starts, const Points& P, const OneRings& rings)
-{
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  std::unordered_map<int, double> lengths;
-  for (const int i : starts)
-  {
-    lengths[i] = 0.0;
-    queue.push({ 0.0, i });
-  }
-  while (!queue.empty())
-  {
-    const auto [length, i] = queue.top();
-    queue.pop();
-    if (length > lengths[i])
-    {
-      continue; // was reached by a shorter path since
-    }
-    for (const OneRings::Neighbor& neighbor : rings[i])
-    {
-      const double next = length + (P.row(i) - P.row(neighbor.point)).norm();
-      const auto [at, isNew] = lengths.emplace(neighbor.point, next);
-      if (next <= reach && (isNew || next < at->second))
-      {
-        at->second = next;
-        queue.push({ next, neighbor.point });
-      }
-      else if (isNew)
-      {
-        lengths.erase(at);
-      }
-    }
-  }
-  std::vector<int> points;
-  points.reserve(lengths.size());
-  for (const auto& entry : lengths)
-  {
-    points.push_back(entry.first);
-  }
-  return points;
-}
 }
 
 RestContacts::RestContacts(const TriangleMesh& rest, const std::vector<std::array<int, 2>>& pairs)
@@ -88,11 +45,27 @@ RestContacts::RestContacts(const TriangleMesh& rest, const std::vector<std::arra
   }
   const double diagonal = (rest.P.colwise().maxCoeff() - rest.P.colwise().minCoeff()).stableNorm();
   this->Parts.resize(rest.P.rows());
+  std::vector<double> lengths(rest.P.rows(), Infinity);
   for (const auto& [parts, starts] : corners) // the other part ascends
   {
-    for (const int i : PointsWithin(ContactWidth * diagonal, starts, rest.P, rings))
+    for (const int i : starts)
+    {
+      lengths[i] = 0.0;
+    }
+    const std::vector<int> near = LowerAlongPaths(
+      lengths, { starts.begin(), starts.end() },
+      [&](int i, const auto& visit)
+      {
+        for (const OneRings::Neighbor& neighbor : rings[i])
+        {
+          visit(neighbor.point, (rest.P.row(i) - rest.P.row(neighbor.point)).norm());
+        }
+      },
+      ContactWidth * diagonal);
+    for (const int i : near)
     {
       this->Parts[i].push_back(parts.second);
+      lengths[i] = Infinity;
     }
   }
 }

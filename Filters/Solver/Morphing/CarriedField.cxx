@@ -6,6 +6,7 @@
 #include "Frame.h"
 #include "LocalStep.h"
 #include "Parallel.h"
+#include "Smoothstep.h"
 #include "SurfaceMeasures.h"
 
 #include <Eigen/Geometry>
@@ -33,8 +34,7 @@ double Weight(double area, double squaredDistance)
 /// 0 up to Near, 1 from Far on.
 double ShareOfGroup(double distance, double radius)
 {
-  const double t = std::clamp((distance - Near * radius) / ((Far - Near) * radius), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
+  return Smoothstep(std::clamp((distance - Near * radius) / ((Far - Near) * radius), 0.0, 1.0));
 }
 } // namespace
 

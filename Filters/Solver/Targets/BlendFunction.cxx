@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlendFunction.h"
 
+#include "Smoothstep.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -36,7 +38,7 @@ double BlendShape(BlendFunction function, double steepness, double s)
     case BlendFunction::Tanh:
       return 0.5 * (1.0 + std::tanh(steepness * (2.0 * s - 1.0)) / std::tanh(steepness));
     case BlendFunction::Smoothstep:
-      return s * s * (3.0 - 2.0 * s);
+      return Smoothstep(s);
     case BlendFunction::Constant:
       break;
   }
