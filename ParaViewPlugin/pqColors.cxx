@@ -109,8 +109,40 @@ void nameNone(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const Q
   legend->UpdateVTKObjects();
 }
 
-/// The header of vtkSMTransferFunctionProxy, which does this as well, needs one of jsoncpp that
-/// Debian's package of ParaView 6.1 neither has nor depends on.
+std::pair<double, double> range(vtkSMPVRepresentationProxy* display)
+{
+  vtkSMProxy* map = MapOf(display);
+  if (!map)
+  {
+    return {};
+  }
+  // Number, red, green, blue, one after the other.
+  const std::vector<double> values = vtkSMPropertyHelper(map, "RGBPoints").GetDoubleArray();
+  return values.size() < 8 ? std::pair(0.0, 0.0) : std::pair(values[0], values[values.size() - 4]);
+}
+
+/// The header of vtkSMTransferFunctionProxy, which does this and setLogarithmic as well, needs one
+/// of jsoncpp that Debian's package of ParaView 6.1 neither has nor depends on.
+void setRange(vtkSMPVRepresentationProxy* display, double low, double high)
+{
+  const auto [begin, end] = range(display);
+  if (!(begin < end) || !(low < high))
+  {
+    return;
+  }
+  vtkSMProxy* map = MapOf(display);
+  vtkSMPropertyHelper points(map, "RGBPoints");
+  std::vector<double> values = points.GetDoubleArray();
+  for (std::size_t k = 0; k < values.size(); k += 4)
+  {
+    const double share = (values[k] - begin) / (end - begin);
+    values[k] = (1.0 - share) * low + share * high;
+  }
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", map);
+  points.Set(values.data(), static_cast<unsigned int>(values.size()));
+  map->UpdateVTKObjects();
+}
+
 void setLogarithmic(vtkSMPVRepresentationProxy* display)
 {
   constexpr double Least = 1e-4; // of the largest number
@@ -119,10 +151,9 @@ void setLogarithmic(vtkSMPVRepresentationProxy* display)
   {
     return;
   }
-  vtkSMPropertyHelper points(map, "RGBPoints"); // number, red, green, blue, one after the other
-  std::vector<double> values = points.GetDoubleArray();
-  const double high = values.size() < 8 ? 0.0 : values[values.size() - 4];
-  const double from = values.size() < 8 ? 0.0 : values[0];
+  vtkSMPropertyHelper points(map, "RGBPoints");
+  const std::vector<double> values = points.GetDoubleArray();
+  const auto [from, high] = range(display);
   if (!(high > 0.0) || !(from < high))
   {
     return;

@@ -9,6 +9,8 @@
 #include <QByteArray>
 #include <QColor>
 
+#include <utility>
+
 class vtkSMPVRepresentationProxy;
 class vtkSMViewProxy;
 
@@ -26,6 +28,10 @@ void set(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const Choice
 
 /// Gray, with a text in the legend, where the numbers are none (NaN). With quantities only.
 void nameNone(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const QByteArray& text);
+
+/// The numbers of the first and the last color, with quantities only; else 0 and 0.
+std::pair<double, double> range(vtkSMPVRepresentationProxy* display);
+void setRange(vtkSMPVRepresentationProxy* display, double low, double high);
 
 /// A logarithmic color map, for lengths from far below to far above what matters. Where there are
 /// numbers of 0 or less, the smallest ones get the last color. The colors are reversed, so that red

@@ -159,6 +159,7 @@ void pqLook::addColor(vtkPVXMLElement* xml)
 {
   Color color{ xml->GetAttributeOrEmpty("array"), xml->GetAttributeOrEmpty("none"),
     QString(xml->GetAttributeOrEmpty("scale")) == "log",
+    this->proxy()->GetProperty(xml->GetAttributeOrEmpty("of")),
     this->proxy()->GetProperty(xml->GetAttributeOrEmpty("property")),
     new QPushButton(xml->GetAttributeOrEmpty("text"), this) };
   color.Button->setObjectName(color.Array);
@@ -373,6 +374,14 @@ QString pqLook::seen() const
   return words.join(", ");
 }
 
+QString pqLook::range() const
+{
+  vtkSMPVRepresentationProxy* display = this->result();
+  const std::pair<double, double> ends = display ? pqColors::range(display) : std::pair(0.0, 0.0);
+  // ParaView makes the range of numbers that are all the same a little larger.
+  return QString("%1 to %2").arg(ends.first, 0, 'g', 3).arg(ends.second, 0, 'g', 3);
+}
+
 void pqLook::showModel(bool show)
 {
   SCOPED_UNDO_EXCLUDE();
@@ -426,16 +435,22 @@ void pqLook::colorBy(const Color& color, bool on)
       this->OwnColors = before;
     }
     BEGIN_UNDO_SET(tr("Color by %1").arg(color.Button->text()));
+    this->IsColoring = true;
     pqColors::set(display, smview,
       on ? pqColors::Choice{ color.Array, vtkDataObject::POINT, true } : this->OwnColors);
+    this->IsColoring = false;
     if (on && this->Names.contains(color.Array))
     {
       pqColors::nameNumbers(display, true);
     }
     else if (on)
     {
-      this->Fitted = RangeOf(display, color.Array);
+      this->Fitted = this->rangeOf(color);
       display->RescaleTransferFunctionToDataRange();
+    }
+    if (on && color.Whole)
+    {
+      pqColors::setRange(display, this->Fitted.first, this->Fitted.second);
     }
     if (on && color.IsLogarithmic)
     {
@@ -449,6 +464,15 @@ void pqLook::colorBy(const Color& color, bool on)
     this->view()->render();
   }
   this->refresh();
+}
+
+/// What its scale is to show: of the numbers, or of what they are shares of.
+std::pair<double, double> pqLook::rangeOf(const Color& color) const
+{
+  const std::pair<double, double> numbers = RangeOf(this->result(), color.Array);
+  return color.Whole
+    ? std::pair(0.0, std::max(vtkSMPropertyHelper(color.Whole).GetAsDouble(), numbers.second))
+    : numbers;
 }
 
 void pqLook::frame(const vtkBoundingBox& now)
@@ -507,23 +531,34 @@ void pqLook::refresh()
   this->updateButtons();
 }
 
-/// Numbers that are no colors need a color map again, new names colors, and a new size its range.
+/// Numbers that are no colors need a color map again, new names colors, and what is new a range.
 void pqLook::fitColors()
 {
   vtkSMPVRepresentationProxy* display = this->result();
   const QByteArray array =
     display ? pqColors::get(display, this->view()->getViewProxy()).Array : QByteArray();
   // Where ParaView sets another array, the color map is still that of the array before.
-  const bool isLogarithmic = std::any_of(this->Colors.begin(), this->Colors.end(),
+  const auto kept = std::find_if(this->Colors.begin(), this->Colors.end(),
     [&](const Color& color)
-    { return color.IsLogarithmic && color.Button->isChecked() && color.Array == array; });
-  // None yet where ParaView is about to set another array.
-  const bool hasMap = isLogarithmic && vtkSMPropertyHelper(display, "LookupTable").GetAsProxy();
-  if (hasMap && this->Fitted != RangeOf(display, array))
+    {
+      return (color.IsLogarithmic || color.Whole) && color.Button->isChecked() &&
+        color.Array == array;
+    });
+  // None yet where ParaView is about to set another array, or still that of the array before.
+  const bool hasMap = kept != this->Colors.end() && !this->IsColoring &&
+    vtkSMPropertyHelper(display, "LookupTable").GetAsProxy();
+  if (hasMap && this->Fitted != this->rangeOf(*kept))
   {
     SCOPED_UNDO_EXCLUDE();
-    this->Fitted = RangeOf(display, array);
-    display->RescaleTransferFunctionToDataRange(/*extend=*/false, /*force=*/false);
+    this->Fitted = this->rangeOf(*kept);
+    if (kept->Whole)
+    {
+      pqColors::setRange(display, this->Fitted.first, this->Fitted.second);
+    }
+    else
+    {
+      display->RescaleTransferFunctionToDataRange(/*extend=*/false, /*force=*/false);
+    }
   }
   if (this->Names.contains(array))
   {

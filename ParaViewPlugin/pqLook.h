@@ -9,15 +9,17 @@
 ///       <Hints>
 ///         <Color text="Displacement" array="Displacement" property="GenerateDisplacement"/>
 ///         <Color text="Walls" array="WallThickness" none="not measured" scale="log" note="..."/>
+///         <Color text="Remaining Roundness" array="RemainingRoundness" of="Roundness"/>
 ///         <Plain array="STLSolidLabeling"/>
 ///         <Names array="PartId"/>
 ///       </Hints>
 ///     </PropertyGroup>
 ///
 /// The property of the group is there for its place in the panel, see pqPresets.h. A button of
-/// colors switches on the property that makes the array; a note is added to its tooltip. The result
-/// comes back, and the model is hidden again, with a second click, with Apply, and where another
-/// filter or view is chosen.
+/// colors switches on the property that makes the array; a note is added to its tooltip. Numbers
+/// that are shares of a property have a scale from 0 to that, or to the largest where that is more,
+/// also when the property changes. The result comes back, and the model is hidden again, with a
+/// second click, with Apply, and where another filter or view is chosen.
 ///
 /// When the first Apply displays the result, ParaView colors it by the array that colors the model.
 /// It then shows an array of colors as they are, where ParaView would map their magnitude, and the
@@ -58,6 +60,8 @@ class pqLook : public pqPropertyWidget
   /// For tests: "model", "result, RGB itself, legend", "result, PartId of 9 names", "result,
   /// WallThickness log, legend".
   Q_PROPERTY(QString seen READ seen)
+  /// For tests, of the color map of the result: "0 to 2".
+  Q_PROPERTY(QString range READ range)
 
 public:
   pqLook(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
@@ -69,6 +73,7 @@ public:
   void setView(pqView* view) override;
 
   QString seen() const;
+  QString range() const;
 
 private:
   struct Color
@@ -76,6 +81,7 @@ private:
     QByteArray Array;
     QByteArray None; // what the legend says where there is no number
     bool IsLogarithmic = false;
+    vtkSmartPointer<vtkSMProperty> Whole;  // of which the numbers are shares
     vtkSmartPointer<vtkSMProperty> Switch; // makes the array
     QPushButton* Button;
   };
@@ -89,6 +95,7 @@ private:
   void showAfterFailure();
   void fitColors();
   void colorBy(const Color& color, bool on);
+  std::pair<double, double> rangeOf(const Color& color) const;
   void frame(const vtkBoundingBox& now);
   void noteDrawing();
   void refresh();
@@ -110,7 +117,8 @@ private:
   vtkWeakPointer<vtkSMProxy> Hidden; // the result
   bool WasShown = false;             // the model too
   vtkBoundingBox Framed;             // what the view showed last
-  std::pair<double, double> Fitted;  // the range of a logarithmic color map
+  std::pair<double, double> Fitted;  // the range of a color map that is kept
+  bool IsColoring = false;           // a button sets another array
   bool IsDrawn = true;               // since the camera was reset
   pqObservers Observers;             // of the result's display
   pqObservers FilterObservers;
