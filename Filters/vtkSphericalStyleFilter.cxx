@@ -199,6 +199,11 @@ const char* vtkSphericalStyleFilter::GetAdvice()
   return this->AdviceTime.GetMTime() > this->GetMTime() ? this->Advice.c_str() : "";
 }
 
+const char* vtkSphericalStyleFilter::GetFoldSummary()
+{
+  return this->AdviceTime.GetMTime() > this->GetMTime() ? this->FoldSummary.c_str() : "";
+}
+
 void vtkSphericalStyleFilter::ReleaseCache()
 {
   this->Internal = std::make_shared<Internals>();
@@ -818,6 +823,7 @@ void vtkSphericalStyleFilter::SetFacts(const Execution& e)
   this->TurnedOverAfter = counted ? guard.after.turnedOver : NotCounted;
   this->NewIntersectionsBefore = counted ? guard.before.newPairs : NotCounted;
   this->NewIntersectionsAfter = counted ? guard.after.newPairs : NotCounted;
+  this->FoldSummary = vtkFoldGuard::Summary(e.Guarded);
   this->Advice.clear();
 }
 
@@ -894,5 +900,6 @@ void vtkSphericalStyleFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TurnedOverAfter: " << this->TurnedOverAfter << "\n";
   os << indent << "NewIntersectionsBefore: " << this->NewIntersectionsBefore << "\n";
   os << indent << "NewIntersectionsAfter: " << this->NewIntersectionsAfter << "\n";
+  os << indent << "FoldSummary: " << this->GetFoldSummary() << "\n";
   os << indent << "Advice: " << this->GetAdvice() << "\n";
 }

@@ -604,6 +604,12 @@ public:
   ///@}
 
   /**
+   * What AvoidSelfIntersections did in the last execution, in words: "418 pairs ... now none".
+   * Empty without it, and as GetAdvice from a change of a property to the next execution.
+   */
+  const char* GetFoldSummary();
+
+  /**
    * Frees what is kept to make the next execution quick: grid, base and thickness, the factor of
    * the energy where there was one, and the model as it is solved; about 0.4 kB a point in closed
    * form. Outputs stay. The next execution takes as long as the first. Called while an execution
@@ -725,6 +731,7 @@ private:
   int TurnedOverAfter = NotCounted;
   int NewIntersectionsBefore = NotCounted;
   int NewIntersectionsAfter = NotCounted;
+  std::string FoldSummary;
   std::string Advice;
   vtkTimeStamp AdviceTime;
   int EffectiveCenterMode = AREA_CENTROID; // of the last execution

@@ -61,6 +61,12 @@ void AddBeforeAfter(vtkFieldData* data, const char* name, int before, int after)
   array->InsertNextTuple2(before, after);
   data->AddArray(array);
 }
+
+std::string Percent(double share)
+{
+  const int percent = static_cast<int>(100.0 * share);
+  return (percent > 0 ? std::to_string(percent) : std::string("less than 1")) + " %";
+}
 }
 
 namespace vtkFoldGuard
@@ -108,11 +114,31 @@ std::string Remark(const Result& result)
   {
     return {};
   }
-  const int percent = static_cast<int>(100.0 * result.Guard.meanShare);
-  return "AvoidSelfIntersections leaves " +
-    (percent > 0 ? std::to_string(percent) : std::string("less than 1")) +
-    " % of Roundness, in the mean over the surface, since the model folds where it becomes "
+  return "AvoidSelfIntersections leaves " + Percent(result.Guard.meanShare) +
+    " of Roundness, in the mean over the surface, since the model folds where it becomes "
     "rounder (RemainingRoundness). Another preset may fold less";
+}
+
+std::string Summary(const Result& result)
+{
+  if (!result.HasCounted())
+  {
+    return {};
+  }
+  const FoldGuardReport& guard = result.Guard;
+  if (guard.before.turnedOver + guard.before.newPairs == 0)
+  {
+    return "nothing turned over, and nothing newly ran through itself";
+  }
+  std::string text = vtkFilterSupport::Count(guard.before.turnedOver, "triangle") +
+    " turned over and " + vtkFilterSupport::Count(guard.before.newPairs, "pair") +
+    " newly ran through each other; now none. ";
+  if (guard.repaired > 0)
+  {
+    text += vtkFilterSupport::Count(guard.repaired, "point") + " repaired. ";
+  }
+  return text + (guard.blended ? "Moved back toward the input where that was not enough. " : "") +
+    Percent(guard.meanShare) + " of Roundness left, in the mean over the surface";
 }
 
 void Fill(vtkTable* table, const Result& result)

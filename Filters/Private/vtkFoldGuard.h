@@ -41,6 +41,9 @@ Result Solve(SphericalStyle::SphericalStyleMethod& solver,
 /// The warning where less roundness alone was not enough, or hardly any is left; else empty.
 std::string Remark(const Result& result);
 
+/// What it did, in words; empty where it has not counted.
+std::string Summary(const Result& result);
+
 /// What it did, as field data; nothing where it has not counted.
 void Fill(vtkTable* table, const Result& result);
 }

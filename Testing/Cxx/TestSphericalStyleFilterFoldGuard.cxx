@@ -68,6 +68,26 @@ int Component(vtkTable* table, const char* name, int component)
     : -2;
 }
 
+/// In words what the numbers say, until something changes.
+void CheckSummary(Checker& check, vtkSphericalStyleFilter* guarded, int repaired)
+{
+  const auto count = [](int n, const char* noun)
+  { return Text(n) + " " + noun + (n == 1 ? "" : "s"); };
+  const std::string summary = guarded->GetFoldSummary();
+  const int over = guarded->GetTurnedOverBefore();
+  const int pairs = guarded->GetNewIntersectionsBefore();
+  check(over + pairs > 0
+      ? Contains(summary, count(over, "triangle") + " turned over and " + count(pairs, "pair"))
+      : Contains(summary, "nothing turned over"),
+    "the summary should have the counts: " + summary);
+  check(Contains(summary, count(repaired, "point") + " repaired") == (repaired > 0),
+    "the summary should say what was repaired: " + summary);
+  const double roundness = guarded->GetRoundness();
+  guarded->SetRoundness(2.0 * roundness + 1.0);
+  check(std::string(guarded->GetFoldSummary()).empty(), "it is that of the last execution");
+  guarded->SetRoundness(roundness);
+}
+
 /// The counts of the filter beside those of vtkSurfaceMetrics, and none after.
 /// @param folds  whether there must be some before
 void CheckGuarded(Checker& check, vtkPolyData* model, const Change& change, bool folds = true)
@@ -107,6 +127,7 @@ void CheckGuarded(Checker& check, vtkPolyData* model, const Change& change, bool
   const int repaired = Component(table, "GuardRepairedPoints", 0);
   check(repaired >= 0 && repaired < output->GetNumberOfPoints() / 10, Text(repaired) + " points");
   check(PointArray(output, "RemainingRoundness") != nullptr, "RemainingRoundness is missing");
+  CheckSummary(check, guarded.Get(), repaired);
 }
 
 void NothingIsLeft(Checker& check, int argc, char* argv[])
@@ -258,6 +279,9 @@ void CleanModels(Checker& check, int argc, char* argv[])
         plain->GetTurnedOverAfter() == -1 && plain->GetNewIntersectionsBefore() == -1 &&
         plain->GetNewIntersectionsAfter() == -1,
       "without it nothing should be counted");
+    check(std::string(plain->GetFoldSummary()).empty() &&
+        Contains(guarded->GetFoldSummary(), "nothing turned over"),
+      std::string("without folds there is nothing to tell: ") + guarded->GetFoldSummary());
   }
 }
 

@@ -908,15 +908,15 @@ void Properties(Checker& check)
 
   std::ostringstream printed;
   filter->Print(printed);
-  for (const char* name :
-    { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode", "Radius", "DetailSize",
-      "SphericalWeighting", "EdgeWeighting", "StopRule", "Tolerance", "MaximumNumberOfIterations",
-      "NormalRadius", "KeepSize", "KeepOnGround", "UpAxis", "Symmetry", "Target", "TargetEdges",
-      "TargetLengths", "RefineLongEdges", "MaximumEdgeLength", "ReproduceThesis",
-      "OutputPointsPrecision", "NumberOfThreads", "TransformAllInputVectors",
-      "GenerateDisplacement", "GenerateNormals", "GenerateRotation", "NumberOfIterations",
-      "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius", "AvoidSelfIntersections",
-      "TurnedOverBefore", "TurnedOverAfter", "NewIntersectionsBefore", "NewIntersectionsAfter" })
+  for (const char* name : { "Roundness", "NormalBlend", "CenterMode", "Center", "RadiusMode",
+         "Radius", "DetailSize", "SphericalWeighting", "EdgeWeighting", "StopRule", "Tolerance",
+         "MaximumNumberOfIterations", "NormalRadius", "KeepSize", "KeepOnGround", "UpAxis",
+         "Symmetry", "Target", "TargetEdges", "TargetLengths", "RefineLongEdges",
+         "MaximumEdgeLength", "ReproduceThesis", "OutputPointsPrecision", "NumberOfThreads",
+         "TransformAllInputVectors", "GenerateDisplacement", "GenerateNormals", "GenerateRotation",
+         "NumberOfIterations", "Converged", "FinalEnergy", "EffectiveCenter", "EffectiveRadius",
+         "AvoidSelfIntersections", "TurnedOverBefore", "TurnedOverAfter", "NewIntersectionsBefore",
+         "NewIntersectionsAfter", "FoldSummary", "Advice" })
   {
     check(Contains(printed.str(), std::string(" ") + name + ": "),
       std::string("PrintSelf should print ") + name);

@@ -82,6 +82,7 @@ assert list(fact("EffectiveCenter")) == [0.0, 0.0, 0.1], list(fact("EffectiveCen
 assert math.isclose(fact("EffectiveRadius"), 0.7, rel_tol=1e-12), fact("EffectiveRadius")
 for name in ("TurnedOverBefore", "TurnedOverAfter", "NewIntersectionsBefore", "NewIntersectionsAfter"):
     assert fact(name) == -1, (name, fact(name))
+assert fact("FoldSummary") == "", fact("FoldSummary")
 assert fact("Advice").startswith("SphericalWeighting Cotangent: "), fact("Advice")
 assert fact("Advice") == filter_.GetAdvice()
 assert rounded.GetProperty("Advice").SMProperty.GetPanelVisibility() == "default"
