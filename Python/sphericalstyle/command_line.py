@@ -294,8 +294,8 @@ def round_one(job, keywords, view=0.0, progress=None):
             "largest move": f"{largest_move(result):.4g}",
             "seconds": f"{time.perf_counter() - start:.2f}", "result": "rounded", "output": str(target),
             "warnings": list(dict.fromkeys(str(warning.message) for warning in told)), "advice": style.GetAdvice() or "",
-            "up_axis": "XYZ"[style.GetUpAxis()], "center": list(style.GetEffectiveCenter()),
-            "radius": style.GetEffectiveRadius()}
+            "folds": style.GetFoldSummary() or "", "up_axis": "XYZ"[style.GetUpAxis()],
+            "center": list(style.GetEffectiveCenter()), "radius": style.GetEffectiveRadius()}
 
 
 def _try(job, keywords, view, progress=None):
@@ -443,8 +443,9 @@ def _run_one(job, keywords, arguments):
         _say_warnings(line)
         print(f"{printable(line['output'])}: {line['points'] + line['new points']} points, moved by up to"
               f" {line['largest move']}, {line['seconds']} s")
-        if line["advice"]:
-            print(f"Advice: {line['advice']}")
+        for key in ("folds", "advice"):
+            if line[key]:
+                print(f"{key.capitalize()}: {line[key]}")
     return [line]
 
 

@@ -143,6 +143,11 @@ assert report["properties"]["roundness"] == style.GetRoundness() and set(report[
 assert model["result"] == "rounded" and model["points"] == count and model["output"] == str(output / "a.vtp")
 assert np.allclose(model["center"], [0, 0.5, -1]) and model["largest_move"] > 0 and model["warnings"] == []
 assert np.array_equal(points(ss.read(output / "a.vtp")), rounded(surface, center=(0, 0.5, -1)))
+assert model["folds"] == "" and "Folds: " not in done.stdout, done
+if hasattr(ss, "vtkPrintableFilter"):  # with CGAL
+    done = run_well(creature, output / "b.vtp", "--avoid-self-intersections", "--report", output / "b.json")
+    model, = json.loads((output / "b.json").read_text(encoding="utf-8"))["models"]
+    assert " newly ran through each other; now none. " in model["folds"] and f"Folds: {model['folds']}\n" in done.stdout, done
 done = run_well(creature, output / "a.vtp", "--quiet", "--report", output / "a.csv")
 assert done.stdout == done.stderr == "", done
 with open(output / "a.csv", newline="", encoding="utf-8") as file:
