@@ -9,7 +9,8 @@ view = simple.GetActiveViewOrCreate("RenderView")
 
 
 def steps():
-    model = simple.Elevation(Input=simple.Sphere(ThetaResolution=32, PhiResolution=32), ScalarRange=[5000.0, 6000.0])
+    model = simple.Elevation(Input=simple.Sphere(ThetaResolution=32, PhiResolution=32), ScalarRange=[5000.0, 6000.0],
+                             LowPoint=[0.0, 0.0, -0.5], HighPoint=[0.0, 0.0, 0.5])
     printable = simple.Printable(Input=model)
     display = simple.Show(printable, view)
     simple.SetActiveSource(printable)
