@@ -31,6 +31,7 @@ void nameNone(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const Q
 
 /// The numbers of the first and the last color, with quantities only; else 0 and 0.
 std::pair<double, double> range(vtkSMPVRepresentationProxy* display);
+/// Stretches or shrinks the color map to these. With quantities only.
 void setRange(vtkSMPVRepresentationProxy* display, double low, double high);
 
 /// A logarithmic color map, for lengths from far below to far above what matters. Where there are

@@ -445,12 +445,7 @@ void pqLook::colorBy(const Color& color, bool on)
     }
     else if (on)
     {
-      this->Fitted = this->rangeOf(color);
-      display->RescaleTransferFunctionToDataRange();
-    }
-    if (on && color.Whole)
-    {
-      pqColors::setRange(display, this->Fitted.first, this->Fitted.second);
+      this->fitRange(color, /*force=*/true);
     }
     if (on && color.IsLogarithmic)
     {
@@ -473,6 +468,21 @@ std::pair<double, double> pqLook::rangeOf(const Color& color) const
   return color.Whole
     ? std::pair(0.0, std::max(vtkSMPropertyHelper(color.Whole).GetAsDouble(), numbers.second))
     : numbers;
+}
+
+/// @param force  also where the user has locked the range of numbers
+void pqLook::fitRange(const Color& color, bool force)
+{
+  vtkSMPVRepresentationProxy* display = this->result();
+  this->Fitted = this->rangeOf(color);
+  if (color.Whole)
+  {
+    pqColors::setRange(display, this->Fitted.first, this->Fitted.second);
+  }
+  else
+  {
+    display->RescaleTransferFunctionToDataRange(/*extend=*/false, force);
+  }
 }
 
 void pqLook::frame(const vtkBoundingBox& now)
@@ -550,15 +560,7 @@ void pqLook::fitColors()
   if (hasMap && this->Fitted != this->rangeOf(*kept))
   {
     SCOPED_UNDO_EXCLUDE();
-    this->Fitted = this->rangeOf(*kept);
-    if (kept->Whole)
-    {
-      pqColors::setRange(display, this->Fitted.first, this->Fitted.second);
-    }
-    else
-    {
-      display->RescaleTransferFunctionToDataRange(/*extend=*/false, /*force=*/false);
-    }
+    this->fitRange(*kept, /*force=*/false);
   }
   if (this->Names.contains(array))
   {
