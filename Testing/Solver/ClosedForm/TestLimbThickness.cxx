@@ -3,11 +3,10 @@
 //
 // What follows its normals keeps the thickness of its limbs while its bones become shorter.
 #include "Check.h"
+#include "Dense.h"
 #include "LimbThickness.h"
 #include "Meshes.h"
 #include "SphericalStyleMethod.h"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <string>
@@ -112,8 +111,7 @@ double RadiusOf(const Points& Q, const std::vector<int>& points, const Vector& a
   {
     Eigen::MatrixX4d A(x.rows(), 4);
     A << 2.0 * x, Eigen::VectorXd::Ones(x.rows());
-    const Eigen::Vector4d fit =
-      (A.transpose() * A).ldlt().solve(A.transpose() * x.rowwise().squaredNorm());
+    const Eigen::Vector4d fit = Dense::Solve(A, x.rowwise().squaredNorm());
     return std::sqrt(fit(3) + fit.head<3>().squaredNorm());
   }
   const Eigen::RowVector3d axis = along.normalized().transpose();
@@ -123,8 +121,7 @@ double RadiusOf(const Points& Q, const std::vector<int>& points, const Vector& a
   const Vector v = Vector(axis.transpose()).cross(u);
   Eigen::MatrixX3d A(x.rows(), 3);
   A << 2.0 * x * u, 2.0 * x * v, Eigen::VectorXd::Ones(x.rows());
-  const Eigen::Vector3d fit =
-    (A.transpose() * A).ldlt().solve(A.transpose() * x.rowwise().squaredNorm());
+  const Eigen::Vector3d fit = Dense::Solve(A, x.rowwise().squaredNorm());
   return std::sqrt(fit(2) + fit.head<2>().squaredNorm());
 }
 

@@ -3,12 +3,11 @@
 //
 // The loop: descent, history, stop rules, and what the result has to be where it is known.
 #include "Check.h"
+#include "Dense.h"
 #include "FixedIterations.h"
 #include "Meshes.h"
 #include "SphericalStyleMethod.h"
 #include "SurfaceMeasures.h"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <string>
@@ -445,7 +444,7 @@ void TestLargeLambda()
       Eigen::MatrixXd A(Q.rows(), 4);
       A << 2.0 * Q, Eigen::VectorXd::Ones(Q.rows());
       const Eigen::VectorXd right = Q.rowwise().squaredNorm();
-      const Eigen::Vector4d x = (A.transpose() * A).ldlt().solve(A.transpose() * right);
+      const Eigen::Vector4d x = Dense::Solve(A, right);
       const Vector3d center = x.head<3>();
       const double radius = std::sqrt(x[3] + center.squaredNorm());
       const double spread = RadiusSpread(Q, center);

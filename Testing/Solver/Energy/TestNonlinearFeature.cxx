@@ -4,6 +4,7 @@
 // The nonlinear feature: the energy and its three updates against their definitions, descent of the
 // corrected form, the failure of the form as written, and what the results look like.
 #include "Check.h"
+#include "Dense.h"
 #include "EdgeWeights.h"
 #include "Frame.h"
 #include "Meshes.h"
@@ -11,7 +12,8 @@
 #include "NonlinearFeature.h"
 #include "SurfaceMeasures.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <array>
@@ -335,7 +337,7 @@ void TestLowerBound()
     CHECK(brute.Weights.minCoeff() < -1e-3, named.name << " should have negative weights");
     Eigen::MatrixXd L = -brute.Weights;
     L.diagonal() = brute.Weights.rowwise().sum();
-    const VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(L).eigenvalues();
+    const VectorXd eigenvalues = Dense::Eigenvalues(L);
     CHECK(eigenvalues(0) > -1e-12 * eigenvalues.maxCoeff() && eigenvalues(1) > 1e-6,
       named.name << ": eigenvalues of L_w begin with " << eigenvalues(0) << ", " << eigenvalues(1));
 
@@ -394,7 +396,7 @@ void TestGlobalStep()
     x.Energy.RightHandSide(x.R, x.S, b);
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n + 1, 3);
     right.topRows(n) = b;
-    x.Q = A.fullPivLu().solve(right).topRows(n);
+    x.Q = Dense::Solve(A, right).topRows(n);
     const double constrained = x.Energy.Evaluate(x.Q, x.R, x.S).Total();
     CHECK_NEAR(x.Q.colwise().sum().norm(), 0.0, 1e-10, "the constrained minimizer's mean");
     CHECK(constrained < 0.99 * written,

@@ -4,12 +4,11 @@
 // The solver as a whole: what it keeps between solves, what its results must not depend on, and
 // what it refuses. Also the two backends of the factorization.
 #include "Check.h"
+#include "Dense.h"
 #include "FixedIterations.h"
 #include "Meshes.h"
 #include "SphericalStyleMethod.h"
 #include "SurfaceMeasures.h"
-
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <functional>
@@ -374,8 +373,7 @@ void TestBackends()
   {
     indefinite(i, i) -= 9.0;
   }
-  const Eigen::VectorXd eigenvalues =
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(indefinite).eigenvalues();
+  const Eigen::VectorXd eigenvalues = Dense::Eigenvalues(indefinite);
   CHECK(
     eigenvalues[0] < -1.0 && eigenvalues[n - 1] > 1.0 && eigenvalues.cwiseAbs().minCoeff() > 1e-2,
     "the second matrix should be indefinite and far from singular");

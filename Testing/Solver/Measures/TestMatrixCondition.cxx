@@ -3,11 +3,10 @@
 /// The estimated condition number against all eigenvalues of the dense matrix, which is put
 /// together here edge by edge as Eq. 4.26 says: -(w + lambda) beside the diagonal.
 #include "Check.h"
+#include "Dense.h"
 #include "EdgeWeights.h"
 #include "MatrixCondition.h"
 #include "Meshes.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -25,8 +24,7 @@ struct Exact
 /// Largest over smallest eigenvalue of a matrix that has `zeros` zero ones.
 double Ratio(const Eigen::MatrixXd& L, int zeros)
 {
-  const Eigen::VectorXd values =
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(L, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd values = Dense::Eigenvalues(L);
   const double largest = values(values.size() - 1);
   CHECK(zeros == 0 || std::abs(values(zeros - 1)) <= 1e-12 * largest, "no zero eigenvalue");
   return largest / values(zeros);

@@ -3,6 +3,7 @@
 /// The nearest point of a surface: of one triangle in each of its regions, and of boxes, where it
 /// is known in closed form.
 #include "Check.h"
+#include "Dense.h"
 #include "Meshes.h"
 #include "NearestPoint.h"
 
@@ -25,10 +26,10 @@ Vector3d Nearest(const TriangleMesh& mesh, const TriangleTree& tree, const Vecto
   {
     corners.col(k) = mesh.P.row(mesh.F(nearest.GetTriangle(), k)).transpose();
   }
-  Eigen::MatrixX3d A(4, 3); // GCC 16 warns of a solver of fixed sizes
+  Eigen::MatrixX3d A(4, 3);
   A << corners, Eigen::RowVector3d::Ones();
   const Eigen::VectorXd b = nearest.GetPoint().homogeneous();
-  const Vector3d shares = A.colPivHouseholderQr().solve(b);
+  const Vector3d shares = Dense::Solve(A, b);
   CHECK((A * shares - b).norm() < 1e-12 && shares.minCoeff() > -1e-12, "within the triangle");
   return nearest.GetPoint();
 }

@@ -4,6 +4,7 @@
 // Edges between the parts of a model [stitch]. Which points they join: all parts, the nearest ones,
 // and enough of them to hold a part in position and orientation. And what they do in a solve.
 #include "Check.h"
+#include "Dense.h"
 #include "EnergyTriangles.h"
 #include "FixedIterations.h"
 #include "Frame.h"
@@ -12,8 +13,6 @@
 #include "Stitches.h"
 #include "StyleSolver.h"
 #include "SurfaceMeasures.h"
-
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <functional>
@@ -222,8 +221,8 @@ double Spread(const TriangleMesh& mesh, const std::vector<Stitch>& stitches)
       0.5 * (mesh.P.row(stitches[i].u) + mesh.P.row(stitches[i].v));
   }
   middle.rowwise() -= middle.colwise().mean().eval();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(middle);
-  return svd.singularValues()(1) / std::sqrt(static_cast<double>(stitches.size()));
+  return std::sqrt(
+    Dense::Eigenvalues(middle.transpose() * middle)(1) / static_cast<double>(stitches.size()));
 }
 
 // Parts that touch in one point or along one edge only would hang on a hinge.

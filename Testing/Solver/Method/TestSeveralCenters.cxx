@@ -5,13 +5,12 @@
 // back, three balls of a snowman; and spheres of the points that are not fixed.
 #include "CenterShares.h"
 #include "Check.h"
+#include "Dense.h"
 #include "FixedIterations.h"
 #include "Meshes.h"
 #include "Solved.h"
 #include "StyleSolver.h"
 #include "SurfaceMeasures.h"
-
-#include <Eigen/Dense>
 
 #include <algorithm>
 
@@ -83,7 +82,7 @@ std::pair<double, double> FittedSphere(const Points& P, const std::vector<int>& 
   const Points Q = P(own, AllColumns);
   Eigen::MatrixXd A(Q.rows(), 4);
   A << 2.0 * Q, Eigen::VectorXd::Ones(Q.rows());
-  const Eigen::VectorXd x = A.colPivHouseholderQr().solve(Q.rowwise().squaredNorm());
+  const Eigen::VectorXd x = Dense::Solve(A, Q.rowwise().squaredNorm());
   const Eigen::RowVector3d c = x.head(3).transpose();
   const double r = std::sqrt(x[3] + c.squaredNorm());
   const Eigen::VectorXd off = (Q.rowwise() - c).rowwise().norm().array() - r;
