@@ -33,6 +33,14 @@ struct Subject
   bool isSlow = false; ///< looks for parts, which takes half a second for any surface
 };
 
+/// Whether every filter is to meet everything, with the argument --all. Else a test leaves out what
+/// other filters meet: it takes a third of the time.
+inline bool IsComplete(int argc, char* argv[])
+{
+  return std::any_of(
+    argv, argv + argc, [](const char* argument) { return std::string("--all") == argument; });
+}
+
 template <typename Filter>
 Subject SubjectOf(
   const char* name, const std::function<void(Filter*)>& set = [](Filter*) {})

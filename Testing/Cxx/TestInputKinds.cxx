@@ -522,7 +522,9 @@ void CheckSound(Checker& check, const Subject& subject, const Kind& kind, Run& r
 /// @param number  of the subject: where the page says nothing of it, every third kind comes after
 /// others, another third than for the next subject; a slow one gets only that third, and what is
 /// refused
-void CheckKinds(Checker& check, const Subject& subject, int number, const std::vector<Kind>& kinds)
+/// @param isComplete  or all are like slow ones, but where the page says what they do
+void CheckKinds(Checker& check, const Subject& subject, bool isComplete, int number,
+  const std::vector<Kind>& kinds)
 {
   const Surface good = MakeBall();
   Run first(subject);
@@ -534,7 +536,8 @@ void CheckKinds(Checker& check, const Subject& subject, int number, const std::v
     check.About(subject.name + ", " + kind.name);
     const bool always = OutcomeOf(subject, kind) != nullptr;
     const bool isNext = ++number % 3 == 0;
-    if (subject.isSlow && !isNext && kind.main.kind != Outcome::Refuses)
+    const bool hasThird = subject.isSlow || !(isComplete || always);
+    if (hasThird && !isNext && kind.main.kind != Outcome::Refuses)
     {
       continue;
     }
@@ -659,18 +662,19 @@ void CheckChanges(Checker& check, const Subject& subject, bool all, int number)
 }
 }
 
-int TestInputKinds(int, char*[])
+int TestInputKinds(int argc, char* argv[])
 {
   std::vector<Kind> kinds;
   for (const auto& group : { FewOrFlat(), Scales(), Cells(), Topologies(), Broken() })
   {
     Append(kinds, group);
   }
+  const bool isComplete = IsComplete(argc, argv);
   Checker check;
   int number = 0;
   for (const Subject& subject : Subjects())
   {
-    CheckKinds(check, subject, number, kinds);
+    CheckKinds(check, subject, isComplete, number, kinds);
     CheckChanges(check, subject, OutcomeOf(subject, kinds.front()) != nullptr, number);
     ++number;
   }
