@@ -615,7 +615,11 @@ vtkSmartPointer<vtkDataArray> NewArray(int type, vtkIdType tuples, int component
   auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
   array->SetNumberOfComponents(components);
   const vtkIdType count = tuples * components;
-  if (count > 0)
+  if (type == VTK_BIT) // frees what it is given as if it came from new
+  {
+    array->SetNumberOfTuples(tuples);
+  }
+  else if (count > 0)
   {
     const auto size = static_cast<std::size_t>(array->GetDataTypeSize());
     void* values = std::malloc(static_cast<std::size_t>(count) * size);

@@ -6,6 +6,8 @@
 /// to a good surface.
 #include "FaultTesting.h"
 
+#include "vtkBitArray.h"
+
 #include <limits>
 
 using namespace FilterTesting;
@@ -380,6 +382,10 @@ std::vector<Kind> Broken()
     { "too few normals", With(normals(3)), Refuses("\"few\" has 3 tuples"),
       Refuses("\"few\" has 3 tuples") },
     { "normals without a tuple", With(normals(0)), {}, {} },
+    { "normals that are bits",
+      With(
+        [n](vtkPolyData* s) { s->GetPointData()->SetNormals(MakeAny<vtkBitArray>("bits", n, 3)); }),
+      {}, {} },
     { "arrays with NaN that nothing uses",
       With([n](vtkPolyData* s) { s->GetPointData()->AddArray(BadArray("bad", n, 2)); }), {}, {} },
     { "arrays named as the filters name theirs",
