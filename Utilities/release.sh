@@ -105,7 +105,7 @@ step_fuzz()
     cp "$project/Testing/Fuzz/Corpus/${target,,}"/* "corpus/${target,,}"
     # With -fork, hangs and inputs that take too much memory would be passed over.
     ASAN_OPTIONS=detect_container_overflow=0 "$project/build-fuzz/bin/Fuzz$target" -fork=1 "-max_len=$longest" \
-      -timeout=150 -ignore_timeouts=0 -ignore_ooms=0 "-artifact_prefix=$build/fuzz/" \
+      -timeout=150 -report_slow_units=150 -ignore_timeouts=0 -ignore_ooms=0 "-artifact_prefix=$build/fuzz/" \
       "-max_total_time=${RELEASE_FUZZ_SECONDS:-7200}" "corpus/${target,,}"
   done
   rmdir "$build/fuzz" # inputs that failed are there
