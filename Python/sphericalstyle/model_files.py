@@ -19,7 +19,7 @@ from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader, vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-from . import meshes, obj_files
+from . import file_damage, meshes, obj_files
 from .SphericalStyleFilters import vtk3MFWriter
 from .messages import Error, Messages, printable
 
@@ -112,7 +112,7 @@ def read(path):
         raise ModelError(f"{name}: the file is empty")
     reader = READERS[suffix]()
     messages = Messages(reader)
-    with _safe_for_vtk(path, name, messages) as safe:
+    with _safe_for_vtk(path, name, messages) as safe, file_damage.in_what_is_said(path) as said:
         _set_file_name(reader, safe)
         reader.Update()
     messages.raise_errors(f"{name}: cannot be read as {suffix}", ModelError)
@@ -125,6 +125,7 @@ def read(path):
     if not isinstance(surface, vtkPolyData):
         raise ModelError(f"{name}: holds a {surface.GetClassName()}, not a surface (vtkPolyData);"
                         " take its surface first, in ParaView with Extract Surface")
+    _raise_damage(name, said[0] if said else file_damage.find_in_cells(surface))
     _remove_misfits(surface.GetPointData(), surface.GetNumberOfPoints())
     if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
         raise ModelError(f"{name}: holds {surface.GetNumberOfPoints()} points and no faces")
@@ -136,6 +137,7 @@ def _safe_for_vtk(path, name, messages):
     """The path of a file that VTK's reader does not read beyond its arrays: this one or, for a while, a copy without the
     texture coordinates or normals of which faces name some that are not there."""
     try:
+        _raise_damage(name, file_damage.find(path))
         if is_gltf(path) and path.suffix != path.suffix.lower():  # VTK's reader looks at the ending
             if path.suffix.lower() == ".gltf":  # which has files beside it
                 raise ModelError(f"{name}: cannot be read; give its name the ending .gltf in lower case")
@@ -163,6 +165,11 @@ def _safe_for_vtk(path, name, messages):
             yield pathlib.Path(copy.name)
     except OSError as error:
         raise ModelError(f"{name}: cannot be read: {error.strerror}") from None
+
+
+def _raise_damage(name, text):
+    if text is not None:
+        raise ModelError(f"{name}: {text}")
 
 
 def _remove_misfits(data, count):
