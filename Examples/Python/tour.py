@@ -19,6 +19,9 @@ import sphericalstyle as ss
 from sphericalstyle.model_pictures import picture
 
 arguments = [] if "ipykernel" in sys.modules else sys.argv[1:]  # those of Jupyter are not for us
+if arguments[:1] in (["-h"], ["--help"]):
+    print(__doc__)
+    sys.exit()
 # The creature is in a folder above this one: where the examples are installed, or in Data/ of a clone.
 here = pathlib.Path(globals().get("__file__", "tour.py")).resolve()
 creatures = [place / name for place in here.parents for name in ("creature.vtp", "Data/creature.vtp")]

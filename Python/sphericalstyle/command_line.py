@@ -78,6 +78,7 @@ def add_properties(parser):
     more = parser.add_argument_group("more properties of the filter")
     for place, (keyword, property_) in enumerate(properties().items()):
         group = shape if place < 3 else more
+        property_ = property_._replace(choices=tuple(choice for choice in property_.choices if choice != "Mesh"))
         range_ = "" if property_.kind == "switch" else f"{property_.range}; "
         text = f"{_help_of(property_)} ({range_}default: {_default(property_)})"
         options = {"dest": keyword, "help": text}
@@ -246,6 +247,8 @@ def _plan_folder(parser, arguments, inputs, output):
             source = path / model if path.is_dir() else path
             format_ = "glb" if arguments.slider and not is_gltf(model) else None
             name = name_in_folder(model, arguments.format or format_)
+            if name in taken and source.resolve() == taken[name].resolve():
+                parser.error(f"{printable(source)} is named twice")
             if name in taken:
                 parser.error(f"{printable(source)} and {printable(taken[name])} would both be written to"
                              f" {printable(output / name)}")
@@ -471,6 +474,8 @@ def keywords_of(parser, arguments):
     """What round() is called with. Ends the program if a value is out of range."""
     names = ["preset", *properties(), *ARRAYS]
     keywords = {name: value for name, value in vars(arguments).items() if name in names and value is not None}
+    if keywords.get("target", "").lower() == "mesh":
+        parser.error("--target Mesh needs a second model, which ParaView and Python take and this program does not")
     try:
         execute(_tetrahedron(), **{name: value for name, value in keywords.items() if name not in ARRAYS
                                    or name in properties()})

@@ -30,7 +30,9 @@ def _prepare(surface, parts):
     copy.ShallowCopy(surface)
     ids = meshes.array_of(find_parts(surface) if parts is None else parts, "parts")
     if ids.GetNumberOfTuples() != surface.GetNumberOfPoints():
-        raise ValueError(f"parts has {ids.GetNumberOfTuples()} values for {surface.GetNumberOfPoints()} points")
+        way_out = "" if ids.GetNumberOfTuples() > surface.GetNumberOfPoints() else \
+            "; where round() splits coarse panels, give the mesh the parts as point array PartId before, and no parts here"
+        raise ValueError(f"parts has {ids.GetNumberOfTuples()} values for {surface.GetNumberOfPoints()} points{way_out}")
     name = "parts of sphericalstyle"
     ids.SetName(name)
     copy.GetPointData().AddArray(ids)

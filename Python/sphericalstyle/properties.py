@@ -75,6 +75,8 @@ class Property(NamedTuple):
     def _converted(self, value):
         """@raise TypeError, ValueError for a number that is too large for a float"""
         try:
+            if isinstance(value, str):
+                raise TypeError
             if self.kind == "switch":
                 if value not in (False, True):
                     raise TypeError

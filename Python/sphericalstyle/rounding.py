@@ -112,13 +112,16 @@ def execute(surface, preset=None, progress=None, **keywords):
     return style, messages
 
 
-def make(preset=None, **keywords):
-    """A vtkSphericalStyleFilter with the preset and these properties, without a mesh."""
+def make(preset=None, caller="round", others=(), **keywords):
+    """A vtkSphericalStyleFilter with the preset and these properties, without a mesh. caller and others: the function
+    that has these keywords, and those that are its own."""
     known = properties()
     for keyword in keywords:
         if keyword not in known and keyword not in ARRAYS and keyword not in MESHES + PARTS:
-            names = [*known, *ARRAYS, *MESHES, *PARTS, "preset"]
-            raise TypeError(f"round() has no keyword '{keyword}'{closest(keyword, names)}")
+            names = [*known, *ARRAYS, *MESHES, *PARTS, "preset", *others]
+            raise TypeError(f"{caller}() has no keyword '{keyword}'{closest(keyword, names)}")
+    if hasattr(keywords.get("roundness"), "__len__") and not isinstance(keywords["roundness"], str):
+        raise TypeError("roundness must be a number; roundness_factor takes an array with a factor for each point")
     style = vtkSphericalStyleFilter()
     if preset is not None:
         presets.apply(style, preset)

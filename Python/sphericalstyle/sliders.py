@@ -49,7 +49,7 @@ def write_slider(path, mesh, *, preset=None, maximum_roundness=5.0, tolerance=0.
     set_all(writer, {"maximum_roundness": maximum_roundness, "tolerance": tolerance, "maximum_targets": maximum_targets},
             {"maximum_targets": "MaximumNumberOfTargets"})
     properties = {keyword: value for keyword, value in properties.items() if value is not None}
-    style = make(preset, **properties)
+    style = make(preset, "write_slider", ("maximum_roundness", "tolerance", "maximum_targets"), **properties)
     writer.SetStyle(style)
     if isinstance(mesh, (str, os.PathLike)) and is_gltf(pathlib.Path(mesh)):
         if not pathlib.Path(mesh).is_file():
