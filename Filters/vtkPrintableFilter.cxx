@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -154,6 +155,12 @@ Points OnPlate(const Points& P, int axis)
   return placed;
 }
 
+/// Of coordinates: of those of double precision a volume is measured.
+double Largest(int type)
+{
+  return type == VTK_FLOAT ? std::numeric_limits<float>::max() : 1e100;
+}
+
 void FillOutput(vtkPolyData* output, vtkPolyData* input, const ClosedInput& closed,
   const DerivedSurface& made, int type)
 {
@@ -166,6 +173,12 @@ void FillOutput(vtkPolyData* output, vtkPolyData* input, const ClosedInput& clos
   data->InterpolateAllocate(input->GetPointData(), n);
   for (vtkIdType i = 0; i < n; ++i)
   {
+    if (!(made.mesh.P.row(i).cwiseAbs().maxCoeff() <= Largest(type)))
+    {
+      throw std::range_error("point " + std::to_string(i) + " is beyond what " +
+        (type == VTK_FLOAT ? "single" : "double") +
+        " precision can hold and measure; make Height, Volume or the model smaller");
+    }
     points->SetPoint(i, made.mesh.P.row(i).data());
     const vtkIdType first = closed.InputPoints[made.ends[i][0]];
     const vtkIdType second = closed.InputPoints[made.ends[i][1]];

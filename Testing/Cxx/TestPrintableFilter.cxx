@@ -218,6 +218,13 @@ void CheckMessages(Checker& check)
   both.Get()->SetVolume(0.0);
   both.Get()->SetHeight(std::nan(""));
   refuses(both, "Height must be 0 or more");
+  both.Get()->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  both.Get()->SetHeight(1e39);
+  refuses(both, "beyond what single precision can hold");
+  both.Get()->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  both.Get()->SetHeight(1e300);
+  refuses(both, "beyond what double precision can hold and measure; make Height");
+  both.Get()->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
   both.Get()->SetHeight(0.0);
   both.Get()->SetMinimumThickness(-1.0);
   refuses(both, "MinimumThickness must be 0 or more");
