@@ -215,7 +215,7 @@ const char* vtkSphericalStyleFilter::GetCenterPosition()
   const std::shared_ptr<const vtkSurfaceMesh> surface = this->Internal->Model.GetSurface();
   const std::shared_ptr<const vtkCoarseSurface>& coarse = this->Internal->Basis.Coarse;
   if (!surface || !surface->Part.IsWhole() || surface->Mesh.F.rows() == 0 ||
-    (!custom && this->CenterMode != this->EffectiveCenterMode))
+    (!custom && (this->CenterMode != this->EffectiveCenterMode || this->EffectiveRadius <= 0.0)))
   {
     return "";
   }
@@ -475,6 +475,7 @@ int vtkSphericalStyleFilter::Execute(vtkInformationVector** inputVector,
   vtkPolyData* input = vtkPolyData::GetData(inputVector[MODEL], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   Execution e;
+  e.Report.sphere.radius = 0.0; // until there is one
   this->SetFacts(e);
   if (!IsSurface(this, inputVector[MODEL]))
   {

@@ -143,6 +143,15 @@ void Inside(Checker& check, const std::string& about, vtkPolyData* model)
   check(Position(check, filter) == "Inside", "the centroid should be inside");
   filter->SetRoundness(1.0);
   check(Position(check, filter) == "Inside", "the center has not moved");
+  filter->SetRoundness(-1.0);
+  filter.Output();
+  check(filter.Errors.size() == 1 && filter->GetEffectiveRadius() == 0.0 &&
+      Position(check, filter).empty(),
+    "after an error nothing should be known of the sphere");
+  filter.Errors.clear();
+  filter->SetRoundness(1.0);
+  filter.Output();
+  check(Position(check, filter) == "Inside", "and it should be known again");
   filter->SetCenterModeToCustom();
   // The ball ends at 1, so half of the radius from there the surface is near.
   const double border = 1.0 - 0.5 * filter->GetEffectiveRadius();
