@@ -287,8 +287,9 @@ void AddThickness(vtkPolyData* output, const Eigen::VectorXd& thickness, int typ
 }
 
 /// Of walls that stayed thinner than wanted; empty where there are none.
-std::string ThinRemark(const Eigen::VectorXd& thickness, double wanted)
+std::string ThinRemark(const PrintableResult& result, double wanted)
 {
+  const Eigen::VectorXd& thickness = result.thickness;
   Eigen::Index thinnest = 0;
   const double least = thickness.minCoeff(&thinnest);
   if (!(least < wanted))
@@ -298,11 +299,16 @@ std::string ThinRemark(const Eigen::VectorXd& thickness, double wanted)
   const auto count = static_cast<vtkIdType>((thickness.array() < wanted).count());
   std::ostringstream text;
   text.precision(3);
-  text << "MinimumThickness: walls stay thinner than " << wanted << " at " << Count(count, "point")
-       << ", the thinnest with " << least << " at point " << thinnest
-       << ", where the surface would run through itself, or where a cut leaves a sharp rim on the "
-          "plate; the array WallThickness shows them. Choose a larger Height or a smaller "
-          "MinimumThickness; a slicer leaves out what is thinner than its line";
+  text
+    << "MinimumThickness: walls stay thinner than " << wanted << " at " << Count(count, "point")
+    << ", the thinnest with " << least << " at point " << thinnest
+    << (result.isSizeShort
+           ? ", because with thicker walls the model is larger, and scaled back to its size its "
+             "walls are no thicker"
+           : ", where the surface would run through itself, or where a cut leaves a sharp rim on "
+             "the plate")
+    << "; the array WallThickness shows them. Choose a larger Height or a smaller "
+       "MinimumThickness; a slicer leaves out what is thinner than its line";
   return text.str();
 }
 
@@ -464,7 +470,7 @@ int vtkPrintableFilter::Execute(
   }
   AddThickness(output, result.thickness, type);
   AddCount(output->GetFieldData(), "UpAxis", this->PlaceOnPlate ? Z_AXIS : this->UpAxis);
-  Warn(this, ThinRemark(result.thickness, this->MinimumThickness));
+  Warn(this, ThinRemark(result, this->MinimumThickness));
   for (const std::string& remark : result.remarks)
   {
     Warn(this, remark);

@@ -36,6 +36,9 @@ constexpr double MuchCut = 0.1;
 constexpr int Thickenings = 10;
 /// By which share the least thickness has to grow for another try.
 constexpr double WorthATry = 1e-3;
+/// What share may be left of what is missing where the thinnest wall became thinner, as the rim of
+/// a cut does.
+constexpr double WorthAThinRim = 0.5;
 
 std::string Text(double number)
 {
@@ -385,6 +388,12 @@ void StandAndScale(
   result.thickness = FindWalls(made, options.threads).thickness;
   result.surface = std::move(stand.surface);
 }
+
+/// What walls are thinner than they have to be, in the mean over the points.
+double Missing(const PrintableResult& result, const PrintableOptions& options)
+{
+  return options.thickness - result.thickness.array().min(options.thickness).mean();
+}
 } // namespace
 
 PrintableResult MakePrintable(const TriangleMesh& mesh, const PrintableOptions& options)
@@ -410,10 +419,18 @@ PrintableResult MakePrintable(const TriangleMesh& mesh, const PrintableOptions& 
   for (int k = 0; k < Thickenings && result.thickness.minCoeff() < options.thickness; ++k)
   {
     const Points P = ThickenWalls(standing, wanted, options.threads, ground, options.onStep);
+    const PrintableResult thinner = result;
     result.thickened = (P - mesh.P).rowwise().norm().maxCoeff();
     StandAndScale({ P, mesh.F }, options, true, result);
     const double next = options.thickness / result.factor;
     const double least = result.thickness.minCoeff();
+    const double share = least < reached ? WorthAThinRim : 1.0;
+    if (Missing(result, options) >= share * Missing(thinner, options))
+    {
+      result = thinner;
+      result.isSizeShort = true;
+      break;
+    }
     if (next <= wanted || least <= (1.0 + WorthATry) * reached)
     {
       break; // nothing more would change

@@ -53,6 +53,7 @@ struct PrintableResult
   double lean = 0.0;                ///< degrees
   double factor = 1.0;              ///< of the size
   double thickened = 0.0;           ///< the longest motion of a point, length, of the mesh
+  bool isSizeShort = false;         ///< thicker walls are no thicker after the scale to the size
   std::vector<std::string> remarks; ///< of a foot or an angle out of reach, or a deep cut
 };
 

@@ -454,6 +454,27 @@ void TestThickResult()
     "thick enough after it was scaled: " << kept.after.thickness);
 }
 
+/// A ball as thick as its volume lets it be cannot be made thicker: it stays what it is.
+void TestThickBall()
+{
+  const TriangleMesh ball = Meshes::Icosphere(3);
+  PrintableOptions options;
+  options.footArea = options.stabilityAngle = 0.0;
+  const PrintableResult plain = MakePrintable(ball, options);
+  for (const double thickness : { 2.1, 3.0, 6.0 })
+  {
+    options.thickness = thickness;
+    const PrintableResult made = MakePrintable(ball, options);
+    CHECK(made.isSizeShort && made.thickened == 0.0, "thickness " << thickness);
+    CHECK_NEAR((made.surface.mesh.P - plain.surface.mesh.P).norm(), 0.0, 1e-12, "the ball");
+    CHECK_NEAR(made.after.thickness, made.before.thickness, 1e-12, "its thickness");
+  }
+  options.height = 4.0; // with more room it can
+  options.thickness = 3.0;
+  const PrintableResult larger = MakePrintable(ball, options);
+  CHECK(!larger.isSizeShort && larger.after.thickness >= 3.0, "a larger ball");
+}
+
 /// What lies flat still does when it becomes thicker.
 void TestFlatBase()
 {
@@ -666,6 +687,7 @@ int main()
   TestLean();
   TestWalls();
   TestThickResult();
+  TestThickBall();
   TestFlatBase();
   TestNested();
   TestTip();
