@@ -76,7 +76,8 @@ public:
   ///@{
   /**
    * The filter with the properties to round with; it may have an input of its own. When the file is
-   * written it has its input and properties of before, and its output when it is updated again. Default: one with the defaults of the class.
+   * written it has its input and properties of before, and its output when it is updated again.
+   * Default: one with the defaults of the class.
    */
   void SetStyle(vtkSphericalStyleFilter* style);
   vtkSphericalStyleFilter* GetStyle();
