@@ -62,7 +62,7 @@ def find_in_cells(surface):
             return "its faces do not have their points; the file is damaged or cut off"
         for id_ in (ids.min(initial=0), ids.max(initial=-1)):
             if not -1 < id_ < count and len(ids):
-                return f"a face names point {id_}, and the file has {count} points; the file is damaged or cut off"
+                return _bad_id(id_, count)
     return None
 
 
@@ -138,10 +138,9 @@ def _in_ply_text(text):
             return "its points have no x, y and z"
         if name == "face" and not any(property_.is_ids for property_ in properties):
             return "its faces have no list vertex_indices"
-    points = next((count for name, count, _ in elements if name == "vertex"), 0)
     if order is None:
         return "its head names no format: ascii, binary_little_endian or binary_big_endian"
-    return (_in_bytes if order else _in_lines)(text, begin, elements, points)
+    return (_in_bytes if order else _in_lines)(text, begin, elements, elements[0][1])
 
 
 def _too_few(name, count, there):
