@@ -12,7 +12,7 @@ https://github.com/pyvista/vtk-data in Data/. A file may have cells that cannot 
 --large times the filter alone on large meshes, with the memory that it takes at its peak.
 
 usage: PYTHONPATH=build/lib/python3/dist-packages /usr/bin/python3 Testing/Quality/mesh_morphing.py
-         [--roundness R ...] [--large] [MESH ...]
+         [--roundness R ...] [--large] [--output FOLDER] [MESH ...]
 """
 import argparse
 import pathlib
@@ -304,7 +304,7 @@ def ours(grid, surface):
 
 
 def row(name, grid, roundness):
-    """Measures a mesh and prints a line of the table. @return whether the filter keeps what it promises"""
+    """Measures a mesh. @return whether the filter keeps what it promises, and a line of the table"""
     surface = rounded_surface(grid, roundness)
     result, said, seconds, morphing = ours(grid, surface)
     # Where the filter finds no inverted cell before, what VTK takes as one is numbered the other way round. Of such
@@ -329,10 +329,10 @@ def row(name, grid, roundness):
         else:
             text += f" | error: {count} inverted, {without_place(grid, surface)} inner points have no place | "
         good = by_surface or name not in MESHES
-    print(f"| {pathlib.Path(name).name} | {grid.GetNumberOfCells()} | {text} | {their_seconds:.2f}, {seconds:.2f} |", flush=True)
+    line = f"| {pathlib.Path(name).name} | {grid.GetNumberOfCells()} | {text} | {their_seconds:.2f}, {seconds:.2f} |"
     if not good:
         print("ERROR: should hold: no cell is inverted that was not before, unless the surface inverts it:", *said)
-    return good
+    return good, line
 
 
 def time_large():
@@ -359,16 +359,24 @@ def main():
     parser.add_argument("meshes", nargs="*", metavar="MESH", help=f"of {', '.join(MESHES)}, or a file")
     parser.add_argument("--roundness", type=float, nargs="+", default=[1.0, 5.0])
     parser.add_argument("--large", action="store_true", help="time the filter on large meshes instead")
+    parser.add_argument("--output", type=pathlib.Path, metavar="FOLDER", help="for the table, as mesh_morphing.md")
     chosen = parser.parse_args()
     if chosen.large:
         return 0 if time_large() else 1
-    print("| mesh | cells | `Roundness` | before | Laplacian, inverted | Mesh Morphing, inverted | steps | seconds |")
-    print("|---|---|---|---|---|---|---|---|")
+    lines = ["| mesh | cells | `Roundness` | before | Laplacian, inverted | Mesh Morphing, inverted | steps | seconds |",
+             "|---|---|---|---|---|---|---|---|"]
+    print("\n".join(lines))
     good = True
     for name in chosen.meshes or MESHES:
         grid = MESHES[name]() if name in MESHES else read(name)
         for roundness in chosen.roundness:
-            good = row(name, grid, roundness) and good
+            holds, line = row(name, grid, roundness)
+            print(line, flush=True)
+            lines.append(line)
+            good = good and holds
+    if chosen.output:
+        chosen.output.mkdir(parents=True, exist_ok=True)
+        (chosen.output / "mesh_morphing.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
     return 0 if good else 1
 
 
