@@ -5,7 +5,7 @@
 # usage: Utilities/test.sh [-v] [--all] [OPTIONS OF ctest]
 #
 # Installs missing packages, builds, and runs the tests. You can run it on a fresh clone and again at any time.
-#   Utilities/test.sh              all but those of the label Long, which take a quarter of the time
+#   Utilities/test.sh              all but those of the label Long, which take a third of the time
 #   Utilities/test.sh --all        all
 #   Utilities/test.sh -L Solver    only those with that label
 #   Utilities/test.sh -v           show everything (the same as VERBOSE=1)
