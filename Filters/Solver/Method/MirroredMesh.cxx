@@ -31,6 +31,10 @@ MirroredMesh::MirroredMesh(const TriangleMesh& mesh, const Frame& frame, const M
 
 Points MirroredMesh::Doubled(const Points& vectors) const
 {
+  if (vectors.rows() == 0)
+  {
+    return vectors; // without memory there is no column to turn around
+  }
   Points doubled(2 * vectors.rows(), 3);
   doubled.topRows(vectors.rows()) = vectors * this->Turn.transpose();
   doubled.bottomRows(vectors.rows()) = doubled.topRows(vectors.rows());
