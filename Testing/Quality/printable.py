@@ -33,7 +33,7 @@ VOLUME_ERROR = 1e-6
 #: Points that stay thinner: where the rounded model runs through itself already, at ears, lips and folds of cloth (skull,
 #: human-parts, lucy), at the sharp rim that a slanting cut leaves on the plate (skull, demosthenes-bust), and by a twentieth
 #: (boot).
-THIN = {"skull": 118, "demosthenes-bust": 3, "human-parts": 490, "boot": 1, "lucy": 674}
+THIN = {"skull": 118, "demosthenes-bust": 2, "human-parts": 244, "boot": 1, "lucy": 674}
 UP_AXES = {"lucy": "Z", "goblet-vase": "Z"}
 #: What admesh counts before it repairs anything, and has to be 0 of.
 DEFECTS = ("Edges fixed", "Facets removed", "Facets added", "Facets reversed", "Backwards edges", "Normals fixed",
