@@ -43,7 +43,9 @@ from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
 from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader, vtkXMLPolyDataReader
 
 import sphericalstyle
+import surfaces
 
+COLUMNS = ["mesh", "cells", "`Roundness`", "before", "Laplacian, inverted", "Mesh Morphing, inverted", "steps", "seconds"]
 CORNERS = {VTK_TETRA: [(0, 1, 2, 3)],
            VTK_HEXAHEDRON: [(0, 1, 3, 4), (1, 2, 0, 5), (2, 3, 1, 6), (3, 0, 2, 7), (4, 7, 5, 0), (5, 4, 6, 1), (6, 5, 7, 2),
                             (7, 6, 4, 3)]}
@@ -304,7 +306,7 @@ def ours(grid, surface):
 
 
 def row(name, grid, roundness):
-    """Measures a mesh. @return whether the filter keeps what it promises, and a line of the table"""
+    """Measures a mesh and prints a line of the table. @return whether the filter keeps what it promises, and the line"""
     surface = rounded_surface(grid, roundness)
     result, said, seconds, morphing = ours(grid, surface)
     # Where the filter finds no inverted cell before, what VTK takes as one is numbered the other way round. Of such
@@ -314,10 +316,11 @@ def row(name, grid, roundness):
     theirs, their_seconds = laplacian(grid, surface)
     laplace = quality(theirs, signs)
     differ = np.isin(vtk_to_numpy(grid.GetCellTypesArray()), (VTK_PYRAMID, VTK_WEDGE)).any() or (signs < 0).any()
-    text = f"{roundness:g} | {before[0]:.3f} ({before[1]:.3f}) | {laplace[0]:.3f} ({laplace[1]:.3f}), {laplace[2]}"
+    steps = ""
     if result:
         own = quality(result, signs)
-        text += f" | {own[0]:.3f} ({own[1]:.3f}), {own[2]} | {morphing.GetNumberOfIterations()}"
+        outcome = f"{own[0]:.3f} ({own[1]:.3f}), {own[2]}"
+        steps = f"{morphing.GetNumberOfIterations()}"
         good = own[2] <= before[2]
         if not differ:  # VTK compares pyramids and wedges with others than we do
             good = good and abs(own[0] - morphing.GetSmallestScaledJacobianAfter()) < 1e-5
@@ -325,14 +328,16 @@ def row(name, grid, roundness):
         by_surface = "no motion of inner points" in said[0]
         count = said[0].split(' is ')[0].split(' are ')[0].split('surface ')[-1]
         if by_surface:
-            text += f" | error: the surface inverts {count} | "
+            outcome = f"error: the surface inverts {count}"
         else:
-            text += f" | error: {count} inverted, {without_place(grid, surface)} inner points have no place | "
+            outcome = f"error: {count} inverted, {without_place(grid, surface)} inner points have no place"
         good = by_surface or name not in MESHES
-    line = f"| {pathlib.Path(name).name} | {grid.GetNumberOfCells()} | {text} | {their_seconds:.2f}, {seconds:.2f} |"
+    cells = [pathlib.Path(name).name, f"{grid.GetNumberOfCells()}", f"{roundness:g}", f"{before[0]:.3f} ({before[1]:.3f})",
+             f"{laplace[0]:.3f} ({laplace[1]:.3f}), {laplace[2]}", outcome, steps, f"{their_seconds:.2f}, {seconds:.2f}"]
+    print(f"| {' | '.join(cells)} |", flush=True)
     if not good:
         print("ERROR: should hold: no cell is inverted that was not before, unless the surface inverts it:", *said)
-    return good, line
+    return good, dict(zip(COLUMNS, cells))
 
 
 def time_large():
@@ -359,24 +364,21 @@ def main():
     parser.add_argument("meshes", nargs="*", metavar="MESH", help=f"of {', '.join(MESHES)}, or a file")
     parser.add_argument("--roundness", type=float, nargs="+", default=[1.0, 5.0])
     parser.add_argument("--large", action="store_true", help="time the filter on large meshes instead")
-    parser.add_argument("--output", type=pathlib.Path, metavar="FOLDER", help="for the table, as mesh_morphing.md")
+    parser.add_argument("--output", type=pathlib.Path, metavar="FOLDER", help="for the table")
     chosen = parser.parse_args()
     if chosen.large:
         return 0 if time_large() else 1
-    lines = ["| mesh | cells | `Roundness` | before | Laplacian, inverted | Mesh Morphing, inverted | steps | seconds |",
-             "|---|---|---|---|---|---|---|---|"]
-    print("\n".join(lines))
+    print(f"| {' | '.join(COLUMNS)} |\n{'|---' * len(COLUMNS)}|")
+    table = []
     good = True
     for name in chosen.meshes or MESHES:
         grid = MESHES[name]() if name in MESHES else read(name)
         for roundness in chosen.roundness:
             holds, line = row(name, grid, roundness)
-            print(line, flush=True)
-            lines.append(line)
             good = good and holds
+            table.append(line)
     if chosen.output:
-        chosen.output.mkdir(parents=True, exist_ok=True)
-        (chosen.output / "mesh_morphing.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
+        surfaces.write_table(chosen.output, "mesh-morphing.csv", COLUMNS, table)
     return 0 if good else 1
 
 
