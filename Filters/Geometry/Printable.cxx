@@ -36,9 +36,8 @@ constexpr double MuchCut = 0.1;
 constexpr int Thickenings = 10;
 /// By which share the least thickness has to grow for another try.
 constexpr double WorthATry = 1e-3;
-/// What share may be left of what is missing where the thinnest wall became thinner, as the rim of
-/// a cut does.
-constexpr double WorthAThinRim = 0.5;
+/// What share may be left of what is missing where the thinnest wall became thinner.
+constexpr double WorthAThinWall = 0.5;
 
 std::string Text(double number)
 {
@@ -389,11 +388,35 @@ void StandAndScale(
   result.surface = std::move(stand.surface);
 }
 
-/// What walls are thinner than they have to be, in the mean over the points.
-double Missing(const PrintableResult& result, const PrintableOptions& options)
+/// What walls are thinner than they have to be.
+struct MissingWalls
 {
-  return options.thickness - result.thickness.array().min(options.thickness).mean();
-}
+  double least = std::numeric_limits<double>::infinity(); // thickness of the walls above the foot
+  double above = 0.0;                                     // sum above the foot
+  double all = 0.0;                                       // and with the rim that a cut leaves
+
+  MissingWalls(const PrintableResult& result, const PrintableOptions& options)
+  {
+    const auto z = result.surface.mesh.P.col(options.axis);
+    const double foot = z.minCoeff();
+    for (Eigen::Index i = 0; i < z.size(); ++i)
+    {
+      const double thickness = std::min(result.thickness(i), options.thickness);
+      this->all += options.thickness - thickness;
+      if (z(i) > foot)
+      {
+        this->above += options.thickness - thickness;
+        this->least = std::min(this->least, thickness);
+      }
+    }
+  }
+  /// Much less where the thinnest wall became thinner.
+  bool IsLessThan(const MissingWalls& other) const
+  {
+    const double share = this->least < other.least ? WorthAThinWall : 1.0;
+    return std::make_pair(this->above, this->all) < std::make_pair(share * other.above, other.all);
+  }
+};
 } // namespace
 
 PrintableResult MakePrintable(const TriangleMesh& mesh, const PrintableOptions& options)
@@ -415,28 +438,27 @@ PrintableResult MakePrintable(const TriangleMesh& mesh, const PrintableOptions& 
   StandAndScale(mesh, options, false, result);
   // Walls are made thicker before, so by more where the model becomes smaller.
   double wanted = options.thickness / result.factor;
-  double reached = result.thickness.minCoeff();
-  for (int k = 0; k < Thickenings && result.thickness.minCoeff() < options.thickness; ++k)
+  MissingWalls missing(result, options);
+  for (int k = 0; k < Thickenings && missing.all > 0.0; ++k)
   {
     const Points P = ThickenWalls(standing, wanted, options.threads, ground, options.onStep);
     const PrintableResult thinner = result;
     result.thickened = (P - mesh.P).rowwise().norm().maxCoeff();
     StandAndScale({ P, mesh.F }, options, true, result);
-    const double next = options.thickness / result.factor;
-    const double least = result.thickness.minCoeff();
-    const double share = least < reached ? WorthAThinRim : 1.0;
-    if (Missing(result, options) >= share * Missing(thinner, options))
+    const MissingWalls stillMissing(result, options);
+    if (!stillMissing.IsLessThan(missing))
     {
       result = thinner;
       result.isSizeShort = true;
       break;
     }
-    if (next <= wanted || least <= (1.0 + WorthATry) * reached)
+    const double next = options.thickness / result.factor;
+    if (next <= wanted || stillMissing.least <= (1.0 + WorthATry) * missing.least)
     {
       break; // nothing more would change
     }
     wanted = next;
-    reached = least;
+    missing = stillMissing;
   }
   result.after = Measure(result.surface.mesh, options.axis);
   result.after.thickness = result.thickness.minCoeff();

@@ -29,12 +29,15 @@ constexpr int Passes = 20;
 /// Walls become thicker than wanted by this share, so that the rounding of what follows, and the
 /// points between those that were looked at, are on the right side.
 constexpr double WallSurplus = 0.01;
-/// What is missing falls to this share in a pass, or there is no room for more.
+/// What is missing, or the number of thin points, falls to this share in a pass, or there is no
+/// room for more.
 constexpr double LeastGain = 0.9;
 /// By how much less the surface moves, over the distance, away from a thin wall.
 constexpr double WallSlope = 0.5;
-/// How often a motion that makes triangles run through each other is halved before it is given up.
+/// How often a motion that makes triangles run through each other is halved before the points there
+/// stay, and how often points are kept before all of them stay.
 constexpr int Halvings = 2;
+constexpr int MostKept = 20;
 
 /// What is outside of a model whose parts may run through each other.
 class Outside
@@ -215,6 +218,25 @@ Eigen::VectorXd WantedMotions(
   return d;
 }
 
+/// How much farther each point may move, so that what has no room does not grow elsewhere: half of
+/// what is wanted in all, as both sides of a wall without a thickness need; all of it where the
+/// other side lies on the ground.
+Eigen::VectorXd MotionsLeft(const TriangleMesh& start, const TriangleMesh& mesh, const Walls& walls,
+  double wanted, const Ground& ground)
+{
+  const Eigen::VectorXd moved = (mesh.P - start.P).rowwise().norm();
+  Eigen::VectorXd left = 0.5 * wanted - moved.array();
+  for (Eigen::Index i = 0; i < left.size(); ++i)
+  {
+    const int f = walls.opposite[i];
+    if (f >= 0 && (mesh.P(mesh.F.row(f), ground.axis).array() == ground.level).any())
+    {
+      left(i) = wanted - moved(i);
+    }
+  }
+  return left.cwiseMax(0.0);
+}
+
 /// Moves points along their normals, less where that would make triangles run through each other.
 /// @param before  triangles that do so already @param stuck  gets points that had no room
 void MoveOutward(TriangleMesh& mesh, Eigen::VectorXd d, const std::vector<char>& before,
@@ -245,7 +267,7 @@ void MoveOutward(TriangleMesh& mesh, Eigen::VectorXd d, const std::vector<char>&
     {
       return;
     }
-    if (k > 2 * Halvings)
+    if (k == Halvings + MostKept)
     {
       mesh.P = start;
       return;
@@ -303,26 +325,37 @@ Points ThickenWalls(const TriangleMesh& mesh, double thickness, int threads, con
   TriangleMesh thick = mesh;
   std::vector<char> intersecting;
   std::vector<char> stuck(mesh.P.rows(), 0);
-  double missing = std::numeric_limits<double>::infinity();
-  for (int pass = 0; pass < Passes; ++pass)
+  Points best = mesh.P;
+  double least = std::numeric_limits<double>::infinity();
+  double fewest = least;
+  for (int pass = 0;; ++pass)
   {
     onStep();
     const double wanted = (1.0 + WallSurplus) * thickness;
     const Walls walls = FindWalls(thick, threads, wanted);
-    const double stillMissing = (thickness - walls.thickness.array().min(thickness)).sum();
-    if (stillMissing == 0.0 || stillMissing > LeastGain * missing)
+    const double missing = (thickness - walls.thickness.array().min(thickness)).sum();
+    const auto thin = static_cast<double>((walls.thickness.array() < thickness).count());
+    const bool isWorthMore = missing <= LeastGain * least || thin <= LeastGain * fewest;
+    fewest = std::min(fewest, thin);
+    if (missing < least)
+    {
+      least = missing;
+      best = thick.P;
+    }
+    if (missing == 0.0 || !isWorthMore || pass == Passes)
     {
       break;
     }
-    missing = stillMissing;
-    Eigen::VectorXd d = WantedMotions(thick, walls, wanted, stuck);
+    const Eigen::VectorXd left = MotionsLeft(mesh, thick, walls, wanted, ground);
+    Eigen::VectorXd d = WantedMotions(thick, walls, wanted, stuck).cwiseMin(left);
     SpreadAlongEdges(thick, d);
+    d = d.cwiseMin(left);
     if (pass == 0)
     {
       intersecting = IntersectingTriangles(mesh);
     }
     MoveOutward(thick, std::move(d), intersecting, ground, stuck, onStep);
   }
-  return thick.P;
+  return best;
 }
 } // namespace SphericalStyle

@@ -428,6 +428,8 @@ void TestWalls()
   const TriangleMesh tight{ ThickenWalls(two, 0.1, 2), two.F };
   CHECK(SelfIntersections(tight).empty(), "plates do not run through each other");
   CHECK(FindWalls(tight, 2).thickness.minCoeff() < 0.1, "so they stay thinner");
+  CHECK((tight.P - two.P).rowwise().norm().maxCoeff() < 0.0505 + 1e-12,
+    "and do not grow on their other sides instead");
 }
 
 /// The thickness is that of the result, whatever cut and size do to it.

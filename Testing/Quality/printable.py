@@ -31,9 +31,8 @@ HEIGHT, THICKNESS, ANGLE = 60.0, 1.0, 10.0  # mm, mm, degrees
 FOOT = 0.05  # of the rectangle of the bounds
 VOLUME_ERROR = 1e-6
 #: Points that stay thinner: where the rounded model runs through itself already, at ears, lips and folds of cloth (skull,
-#: human-parts, lucy), at the sharp rim that a slanting cut leaves on the plate (skull, demosthenes-bust), and by a twentieth
-#: (boot).
-THIN = {"skull": 118, "demosthenes-bust": 2, "human-parts": 244, "boot": 1, "lucy": 674}
+#: human-parts, lucy), and at the sharp rim that a slanting cut leaves on the plate (skull, demosthenes-bust).
+THIN = {"skull": 124, "demosthenes-bust": 1, "human-parts": 199, "lucy": 390}
 UP_AXES = {"lucy": "Z", "goblet-vase": "Z"}
 #: What admesh counts before it repairs anything, and has to be 0 of.
 DEFECTS = ("Edges fixed", "Facets removed", "Facets added", "Facets reversed", "Backwards edges", "Normals fixed",
@@ -202,7 +201,7 @@ def main():
 
 def upright(x, name):
     """Points on the plate with the axes of the model again."""
-    return np.roll(x, {"X": 1, "Y": 2, "Z": 0}[UP_AXES.get(name, "Y")], axis=1)
+    return x if UP_AXES.get(name) == "Z" else np.column_stack([x[:, 0], x[:, 2], -x[:, 1]])
 
 
 if __name__ == "__main__":
