@@ -122,8 +122,10 @@ Pairs FindPairs(
   const SphericalStyle::TriangleMesh& mesh, const Names& names, const SurfacePart& part)
 {
   const SphericalStyle::SurroundedMesh all = SphericalStyle::SurroundByOthers(mesh, names, part);
+  std::vector<char> isOwn(all.mesh.F.rows(), 0);
+  std::fill_n(isOwn.begin(), mesh.F.rows(), char(1));
   Pairs pairs;
-  for (const auto& [f, g] : SphericalStyle::SelfIntersections(all.mesh, mesh.F.rows()))
+  for (const auto& [f, g] : SphericalStyle::SelfIntersections(all.mesh, isOwn))
   {
     const auto [less, more] = std::minmax(all.names[f], all.names[g]);
     pairs.push_back({ less, more });

@@ -77,11 +77,15 @@ private:
 };
 }
 
-std::vector<std::array<int, 2>> SelfIntersections(const TriangleMesh& mesh, Eigen::Index own)
+std::vector<std::array<int, 2>> SelfIntersections(const TriangleMesh& mesh)
 {
-  const auto others = static_cast<int>(own < 0 ? mesh.F.rows() : own);
-  std::vector<Box> boxes;
-  boxes.reserve(mesh.F.rows());
+  return SelfIntersections(mesh, std::vector<char>(mesh.F.rows(), 1));
+}
+
+std::vector<std::array<int, 2>> SelfIntersections(
+  const TriangleMesh& mesh, const std::vector<char>& chosen)
+{
+  std::array<std::vector<Box>, 2> boxes; // of the others, and of those that are chosen
   for (int f = 0; f < mesh.F.rows(); ++f)
   {
     CGAL::Bbox_3 bounds;
@@ -89,27 +93,34 @@ std::vector<std::array<int, 2>> SelfIntersections(const TriangleMesh& mesh, Eige
     {
       bounds += ToPoint(mesh.P, i).bbox();
     }
-    boxes.emplace_back(bounds, f);
+    boxes[chosen[f] ? 1 : 0].emplace_back(bounds, f);
   }
+  auto& [others, own] = boxes;
   std::vector<std::array<int, 2>> pairs;
   const PairTest intersect(mesh);
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
-    [&](const Box& a, const Box& b)
+  const auto test = [&](const Box& a, const Box& b)
+  {
+    const auto ends = std::minmax({ a.info(), b.info() });
+    if (intersect(ends.first, ends.second))
     {
-      const auto ends = std::minmax({ a.info(), b.info() });
-      if (ends.first < others && intersect(ends.first, ends.second))
-      {
-        pairs.push_back({ ends.first, ends.second });
-      }
-    });
+      pairs.push_back({ ends.first, ends.second });
+    }
+  };
+  CGAL::box_self_intersection_d(own.begin(), own.end(), test);
+  CGAL::box_intersection_d(own.begin(), own.end(), others.begin(), others.end(), test);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
 std::vector<char> IntersectingTriangles(const TriangleMesh& mesh)
 {
+  return IntersectingTriangles(mesh, std::vector<char>(mesh.F.rows(), 1));
+}
+
+std::vector<char> IntersectingTriangles(const TriangleMesh& mesh, const std::vector<char>& chosen)
+{
   std::vector<char> intersecting(mesh.F.rows(), 0);
-  for (const auto& pair : SelfIntersections(mesh))
+  for (const auto& pair : SelfIntersections(mesh, chosen))
   {
     intersecting[pair[0]] = 1;
     intersecting[pair[1]] = 1;

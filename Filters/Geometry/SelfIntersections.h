@@ -16,12 +16,15 @@ namespace SphericalStyle
 /// number: crossing, touching, or overlapping in a plane. Decided exactly (CGAL's predicates). Any
 /// triangles, manifold or not.
 /// @param mesh  every triangle has an area
-/// @param own  only pairs with one of so many first triangles; -1: all
 /// @return pairs (f, g), f < g, in order
-std::vector<std::array<int, 2>> SelfIntersections(const TriangleMesh& mesh, Eigen::Index own = -1);
+std::vector<std::array<int, 2>> SelfIntersections(const TriangleMesh& mesh);
+/// Only pairs with a chosen triangle. @param chosen  of each triangle, not 0 if it is
+std::vector<std::array<int, 2>> SelfIntersections(
+  const TriangleMesh& mesh, const std::vector<char>& chosen);
 
 /// Of each triangle, 1 if it is in such a pair, else 0.
 std::vector<char> IntersectingTriangles(const TriangleMesh& mesh);
+std::vector<char> IntersectingTriangles(const TriangleMesh& mesh, const std::vector<char>& chosen);
 } // namespace SphericalStyle
 
 #endif

@@ -218,18 +218,18 @@ Eigen::VectorXd WantedMotions(
   return d;
 }
 
-/// How much farther each point may move, so that what has no room does not grow elsewhere: half of
-/// what is wanted in all, as both sides of a wall without a thickness need; all of it where the
-/// other side lies on the ground.
-Eigen::VectorXd MotionsLeft(const TriangleMesh& start, const TriangleMesh& mesh, const Walls& walls,
+/// How much farther each point of `thick` may move, so that what has no room does not grow
+/// elsewhere: half of what is wanted in all, as both sides of a wall without a thickness need; all
+/// of it where the other side lies on the ground.
+Eigen::VectorXd MotionsLeft(const TriangleMesh& mesh, const TriangleMesh& thick, const Walls& walls,
   double wanted, const Ground& ground)
 {
-  const Eigen::VectorXd moved = (mesh.P - start.P).rowwise().norm();
+  const Eigen::VectorXd moved = (thick.P - mesh.P).rowwise().norm();
   Eigen::VectorXd left = 0.5 * wanted - moved.array();
   for (Eigen::Index i = 0; i < left.size(); ++i)
   {
     const int f = walls.opposite[i];
-    if (f >= 0 && (mesh.P(mesh.F.row(f), ground.axis).array() == ground.level).any())
+    if (f >= 0 && (thick.P(thick.F.row(f), ground.axis).array() == ground.level).any())
     {
       left(i) = wanted - moved(i);
     }
@@ -252,7 +252,13 @@ void MoveOutward(TriangleMesh& mesh, Eigen::VectorXd d, const std::vector<char>&
     const auto lowest = 0.5 * (start.col(ground.axis).array() + ground.level);
     mesh.P.col(ground.axis) = (start.col(ground.axis).array() == ground.level)
                                 .select(ground.level, mesh.P.col(ground.axis).array().max(lowest));
-    const std::vector<char> now = IntersectingTriangles(mesh);
+    std::vector<char> moved(mesh.F.rows(), 0); // others are as they were
+    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+    {
+      const auto& t = mesh.F.row(f);
+      moved[f] = mesh.P(t, AllColumns) != start(t, AllColumns) ? 1 : 0;
+    }
+    const std::vector<char> now = IntersectingTriangles(mesh, moved);
     std::vector<char> touched(start.rows(), 0);
     bool any = false;
     for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
