@@ -34,7 +34,8 @@
  * The bracketed labels are those of Filters/Documentation/Printable.md. Needs CGAL.
  *
  * Cost: some passes over the triangles, and twice the search for self-intersections: about a second
- * for 100 000 triangles. Thickening searches once more for each pass, three or four times mostly.
+ * for 100 000 triangles. Thickening takes up to 20 passes, each with three rays for each point: 8
+ * to 11 s where many of 50 000 points have thin walls that are near to each other.
  *
  * @sa vtkSphericalStyleFilter vtkSurfaceMetrics vtkSurfaceDiagnostics
  */
