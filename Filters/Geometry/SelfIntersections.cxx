@@ -114,13 +114,8 @@ std::vector<std::array<int, 2>> SelfIntersections(
 
 std::vector<char> IntersectingTriangles(const TriangleMesh& mesh)
 {
-  return IntersectingTriangles(mesh, std::vector<char>(mesh.F.rows(), 1));
-}
-
-std::vector<char> IntersectingTriangles(const TriangleMesh& mesh, const std::vector<char>& chosen)
-{
   std::vector<char> intersecting(mesh.F.rows(), 0);
-  for (const auto& pair : SelfIntersections(mesh, chosen))
+  for (const auto& pair : SelfIntersections(mesh))
   {
     intersecting[pair[0]] = 1;
     intersecting[pair[1]] = 1;

@@ -24,7 +24,6 @@ std::vector<std::array<int, 2>> SelfIntersections(
 
 /// Of each triangle, 1 if it is in such a pair, else 0.
 std::vector<char> IntersectingTriangles(const TriangleMesh& mesh);
-std::vector<char> IntersectingTriangles(const TriangleMesh& mesh, const std::vector<char>& chosen);
 } // namespace SphericalStyle
 
 #endif

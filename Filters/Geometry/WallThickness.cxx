@@ -35,9 +35,8 @@ constexpr double LeastGain = 0.9;
 /// By how much less the surface moves, over the distance, away from a thin wall.
 constexpr double WallSlope = 0.5;
 /// How often a motion that makes triangles run through each other is halved before the points there
-/// stay, and how often points are kept before all of them stay.
+/// stay.
 constexpr int Halvings = 2;
-constexpr int MostKept = 20;
 
 /// What is outside of a model whose parts may run through each other.
 class Outside
@@ -258,25 +257,23 @@ void MoveOutward(TriangleMesh& mesh, Eigen::VectorXd d, const std::vector<char>&
       const auto& t = mesh.F.row(f);
       moved[f] = mesh.P(t, AllColumns) != start(t, AllColumns) ? 1 : 0;
     }
-    const std::vector<char> now = IntersectingTriangles(mesh, moved);
     std::vector<char> touched(start.rows(), 0);
     bool any = false;
-    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+    for (const auto& pair : SelfIntersections(mesh, moved))
     {
-      if (now[f] && !before[f])
+      if (before[pair[0]] && before[pair[1]])
       {
-        any = true;
+        continue;
+      }
+      any = true;
+      for (const int f : pair)
+      {
         touched[mesh.F(f, 0)] = touched[mesh.F(f, 1)] = touched[mesh.F(f, 2)] = 1;
       }
     }
     if (!any)
     {
-      return;
-    }
-    if (k == Halvings + MostKept)
-    {
-      mesh.P = start;
-      return;
+      return; // in the end, as each time one point more stays
     }
     GrowByOneRing(mesh.F, touched);
     for (Eigen::Index i = 0; i < d.size(); ++i)

@@ -432,6 +432,23 @@ void TestWalls()
     "and do not grow on their other sides instead");
 }
 
+/// Parts that run through each other, and have no room, stay; other walls become thick.
+void TestNoRoomAtOnePlace()
+{
+  const TriangleMesh plate = Meshes::Box(20, { 1.0, 0.01, 1.0 });
+  const TriangleMesh level = Meshes::Moved(Meshes::Box(1, { 1.0, 0.01, 1.0 }), { 0.0, 3.0, 0.0 });
+  const TriangleMesh upright = Meshes::Moved(Meshes::Box(1, { 0.01, 1.0, 1.0 }), { 0.0, 3.0, 0.0 });
+  const TriangleMesh block = Meshes::Moved(Meshes::Box(1, { 0.1, 0.1, 0.1 }), { 0.5, 3.115, 0.0 });
+  const TriangleMesh all = Meshes::Together({ plate, level, upright, block });
+  CHECK(!SelfIntersections(all).empty(), "a plate through another");
+  const TriangleMesh thick{ ThickenWalls(all, 0.1, 2), all.F };
+  CHECK(FindWalls(thick, 2).thickness.head(plate.P.rows()).minCoeff() >= 0.1,
+    "a plate far from them becomes thick");
+  const std::vector<char> now = IntersectingTriangles(thick);
+  CHECK(
+    std::count(now.end() - block.F.rows(), now.end(), 1) == 0, "nothing runs through the block");
+}
+
 /// The thickness is that of the result, whatever cut and size do to it.
 void TestThickResult()
 {
@@ -688,6 +705,7 @@ int main()
   TestBall();
   TestLean();
   TestWalls();
+  TestNoRoomAtOnePlace();
   TestThickResult();
   TestThickBall();
   TestFlatBase();
