@@ -67,10 +67,13 @@ public:
   }
 
 private:
-  /// How many parts are around a place beside the surface, by the way out of them along a ray.
-  int CountAround(Eigen::Vector3d place, const Eigen::Vector3d& direction, int point) const
+  /// How many parts are around a place beside the surface, by the way out of them along a ray. That
+  /// is tilted somewhat: in symmetric models rays along normals meet points and edges.
+  int CountAround(Eigen::Vector3d place, const Eigen::Vector3d& normal, int point) const
   {
     constexpr int MostCrossings = 200;
+    const Eigen::Vector3d tilt(0.0071, -0.0113, 0.0094);
+    const Eigen::Vector3d direction = (normal + tilt).normalized();
     int parts = 0;
     for (int k = 0; k < MostCrossings; ++k)
     {
@@ -96,7 +99,8 @@ private:
 };
 
 /// The least field on the edges that is no less than d anywhere, with this slope (Dijkstra).
-void SpreadAlongEdges(const TriangleMesh& mesh, Eigen::VectorXd& d)
+/// @param aboveBase  becomes that of the point that d comes from
+void SpreadAlongEdges(const TriangleMesh& mesh, Eigen::VectorXd& d, std::vector<char>& aboveBase)
 {
   const auto n = static_cast<int>(mesh.P.rows());
   std::vector<std::vector<int>> neighbors(n);
@@ -129,6 +133,7 @@ void SpreadAlongEdges(const TriangleMesh& mesh, Eigen::VectorXd& d)
       if (spread > d(j))
       {
         d(j) = spread;
+        aboveBase[j] = aboveBase[i];
         next.emplace(spread, j);
       }
     }
@@ -197,56 +202,104 @@ void GrowByOneRing(const Triangles& F, std::vector<char>& points)
   }
 }
 
-/// How far the points of thin walls have to move: both sides alike, or one of them where the other
-/// has no room.
-/// @param walls  thinner than wanted @param stuck  points without room
-Eigen::VectorXd WantedMotions(
-  const TriangleMesh& mesh, const Walls& walls, double wanted, const std::vector<char>& stuck)
+bool LiesOnGround(const TriangleMesh& mesh, int f, const Ground& ground)
 {
-  Eigen::VectorXd d = 0.5 * (wanted - walls.thickness.array().min(wanted));
+  return (mesh.P(mesh.F.row(f), ground.axis).array() == ground.level).all();
+}
+
+/// Points on the ground with all their triangles: their side of a wall stays.
+std::vector<char> PointsInBase(const TriangleMesh& mesh, const Ground& ground)
+{
+  std::vector<char> inBase(mesh.P.rows(), 1);
+  for (int f = 0; f < mesh.F.rows(); ++f)
+  {
+    if (!LiesOnGround(mesh, f, ground))
+    {
+      inBase[mesh.F(f, 0)] = inBase[mesh.F(f, 1)] = inBase[mesh.F(f, 2)] = 0;
+    }
+  }
+  return inBase;
+}
+
+/// Points of walls whose other side lies on the ground, and stays.
+std::vector<char> PointsAboveBase(
+  const TriangleMesh& mesh, const Walls& walls, const Ground& ground)
+{
+  std::vector<char> aboveBase(mesh.P.rows(), 0);
+  for (std::size_t i = 0; i < aboveBase.size(); ++i)
+  {
+    const int f = walls.opposite[i];
+    aboveBase[i] = f >= 0 && LiesOnGround(mesh, f, ground) ? 1 : 0;
+  }
+  return aboveBase;
+}
+
+/// How far the points of thin walls have to move: both sides alike, or one of them where the other
+/// stays.
+/// @param walls  thinner than wanted @param stuck  points without room
+Eigen::VectorXd WantedMotions(const TriangleMesh& mesh, const Walls& walls, double wanted,
+  const std::vector<char>& stuck, const std::vector<char>& aboveBase)
+{
+  const Eigen::VectorXd missing = wanted - walls.thickness.array().min(wanted);
+  Eigen::VectorXd d = 0.5 * missing;
   for (Eigen::Index i = 0; i < d.size(); ++i)
   {
-    if (walls.thickness(i) < wanted && stuck[i])
+    if (missing(i) > 0.0 && aboveBase[i])
+    {
+      d(i) = missing(i);
+    }
+    if (missing(i) > 0.0 && stuck[i])
     {
       for (const int j : mesh.F.row(walls.opposite[i]))
       {
-        d(j) = std::max(d(j), wanted - walls.thickness(i));
+        d(j) = std::max(d(j), missing(i));
       }
     }
   }
   return d;
 }
 
-/// How much farther each point of `thick` may move, so that what has no room does not grow
-/// elsewhere: half of what is wanted in all, as both sides of a wall without a thickness need; all
-/// of it where the other side lies on the ground.
-Eigen::VectorXd MotionsLeft(const TriangleMesh& mesh, const TriangleMesh& thick, const Walls& walls,
-  double wanted, const Ground& ground)
+/// How much farther points may move, so that what has no room does not grow elsewhere: half of what
+/// is wanted in all, as both sides of a wall without a thickness need; all of it on the ground.
+Eigen::VectorXd MotionsLeft(const TriangleMesh& mesh, const TriangleMesh& thick, double wanted,
+  const std::vector<char>& aboveBase)
 {
-  const Eigen::VectorXd moved = (thick.P - mesh.P).rowwise().norm();
-  Eigen::VectorXd left = 0.5 * wanted - moved.array();
+  Eigen::VectorXd left = -(thick.P - mesh.P).rowwise().norm();
   for (Eigen::Index i = 0; i < left.size(); ++i)
   {
-    const int f = walls.opposite[i];
-    if (f >= 0 && (thick.P(thick.F.row(f), ground.axis).array() == ground.level).any())
-    {
-      left(i) = wanted - moved(i);
-    }
+    left(i) += aboveBase[i] ? wanted : 0.5 * wanted;
   }
   return left.cwiseMax(0.0);
 }
 
-/// Moves points along their normals, less where that would make triangles run through each other.
+/// Where points move: along their normals, and straight up where the other side lies on the ground.
+/// There a normal would move the rim of a cut aside, and what is above it would be as sharp as
+/// before.
+Points Directions(
+  const TriangleMesh& mesh, double h, const Ground& ground, const std::vector<char>& aboveBase)
+{
+  Points directions = SmoothNormals(mesh, h);
+  for (Eigen::Index i = 0; i < directions.rows(); ++i)
+  {
+    if (aboveBase[i])
+    {
+      directions.row(i) = Eigen::RowVector3d::Unit(ground.axis);
+    }
+  }
+  return directions;
+}
+
+/// Moves points, less where that would make triangles run through each other.
 /// @param before  triangles that do so already @param stuck  gets points that had no room
-void MoveOutward(TriangleMesh& mesh, Eigen::VectorXd d, const std::vector<char>& before,
-  const Ground& ground, std::vector<char>& stuck, const std::function<void()>& onStep)
+void MoveOutward(TriangleMesh& mesh, const Points& directions, Eigen::VectorXd d,
+  const std::vector<char>& before, const Ground& ground, std::vector<char>& stuck,
+  const std::function<void()>& onStep)
 {
   const Points start = mesh.P;
-  const Points normals = SmoothNormals(mesh, d.maxCoeff());
   for (int k = 0;; ++k)
   {
     onStep();
-    mesh.P = start + (normals.array().colwise() * d.array()).matrix();
+    mesh.P = start + (directions.array().colwise() * d.array()).matrix();
     // At most half way down to the ground, and on it aside alone.
     const auto lowest = 0.5 * (start.col(ground.axis).array() + ground.level);
     mesh.P.col(ground.axis) = (start.col(ground.axis).array() == ground.level)
@@ -327,7 +380,7 @@ Points ThickenWalls(const TriangleMesh& mesh, double thickness, int threads, con
 {
   TriangleMesh thick = mesh;
   std::vector<char> intersecting;
-  std::vector<char> stuck(mesh.P.rows(), 0);
+  std::vector<char> stuck = PointsInBase(mesh, ground);
   Points best = mesh.P;
   double least = std::numeric_limits<double>::infinity();
   double fewest = least;
@@ -349,15 +402,17 @@ Points ThickenWalls(const TriangleMesh& mesh, double thickness, int threads, con
     {
       break;
     }
-    const Eigen::VectorXd left = MotionsLeft(mesh, thick, walls, wanted, ground);
-    Eigen::VectorXd d = WantedMotions(thick, walls, wanted, stuck).cwiseMin(left);
-    SpreadAlongEdges(thick, d);
+    std::vector<char> aboveBase = PointsAboveBase(thick, walls, ground);
+    const Eigen::VectorXd left = MotionsLeft(mesh, thick, wanted, aboveBase);
+    Eigen::VectorXd d = WantedMotions(thick, walls, wanted, stuck, aboveBase).cwiseMin(left);
+    SpreadAlongEdges(thick, d, aboveBase);
     d = d.cwiseMin(left);
     if (pass == 0)
     {
       intersecting = IntersectingTriangles(mesh);
     }
-    MoveOutward(thick, std::move(d), intersecting, ground, stuck, onStep);
+    const Points directions = Directions(thick, d.maxCoeff(), ground, aboveBase);
+    MoveOutward(thick, directions, std::move(d), intersecting, ground, stuck, onStep);
   }
   return best;
 }

@@ -40,9 +40,9 @@ struct Ground
 };
 
 /// Moves both sides of thin walls outward until no point has less than `thickness` below it, by at
-/// most half of it, or all of it where the other side lies on the ground. Next to them the surface
-/// follows at a slope of one half, so that no step comes about. Points stay where two triangles
-/// would run through each other that did not do so before.
+/// most half of it, or straight up by all of it where the other side lies on the ground. Next to
+/// them the surface follows at a slope of one half, so that no step comes about. Points stay where
+/// two triangles would run through each other, unless both ran through something before.
 /// @param mesh  closed, facing outward; every triangle has an area
 /// @param thickness  length, above 0
 /// @param onStep  called before each step; what it throws ends all of it

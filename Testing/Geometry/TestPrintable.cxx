@@ -432,6 +432,32 @@ void TestWalls()
     "and do not grow on their other sides instead");
 }
 
+/// The rim of a cut: a wedge that lies on the ground grows up, since its rim would stay as sharp as
+/// it is if it grew aside.
+void TestRim()
+{
+  TriangleMesh wedge = Meshes::Box(20, { 1.0, 0.5, 1.0 });
+  for (auto p : wedge.P.rowwise())
+  {
+    p(1) = (p(1) + 0.5) * (0.02 + 0.3 * (p(0) + 1.0));
+  }
+  const TriangleMesh thick{ ThickenWalls(wedge, 0.2, 2, { 1, 0.0 }), wedge.F };
+  CHECK((FindWalls(wedge, 2).thickness.array() < 0.2).count() > 200, "a thin rim");
+  const Eigen::VectorXd after = FindWalls(thick, 2).thickness;
+  CHECK((after.array() < 0.2).count() <= 4, "but for the corners it is thick");
+  CHECK(SelfIntersections(thick).empty(), "and does not run through itself");
+  for (Eigen::Index i = 0; i < wedge.P.rows(); ++i)
+  {
+    const Eigen::RowVector3d motion = thick.P.row(i) - wedge.P.row(i);
+    CHECK(wedge.P(i, 1) > 0.0 || motion(1) == 0.0, "the base stays on the ground");
+    if (std::abs(wedge.P(i, 2)) < 0.75 && wedge.P(i, 0) < -0.45)
+    {
+      CHECK(after(i) >= 0.2, "the rim is thick");
+      CHECK(wedge.P(i, 1) == 0.0 || (motion(0) == 0.0 && motion(2) == 0.0), "it moves straight up");
+    }
+  }
+}
+
 /// Parts that run through each other, and have no room, stay; other walls become thick.
 void TestNoRoomAtOnePlace()
 {
@@ -705,6 +731,7 @@ int main()
   TestBall();
   TestLean();
   TestWalls();
+  TestRim();
   TestNoRoomAtOnePlace();
   TestThickResult();
   TestThickBall();
