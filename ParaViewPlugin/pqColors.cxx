@@ -126,6 +126,7 @@ std::pair<double, double> range(vtkSMPVRepresentationProxy* display)
 void setRange(vtkSMPVRepresentationProxy* display, double low, double high)
 {
   const auto [begin, end] = range(display);
+  const bool isLog = isLogarithmic(display) && begin > 0.0 && low > 0.0;
   if (!(begin < end) || !(low < high))
   {
     return;
@@ -135,8 +136,9 @@ void setRange(vtkSMPVRepresentationProxy* display, double low, double high)
   std::vector<double> values = points.GetDoubleArray();
   for (std::size_t k = 0; k < values.size(); k += 4)
   {
-    const double share = (values[k] - begin) / (end - begin);
-    values[k] = (1.0 - share) * low + share * high;
+    const double share = isLog ? std::log(values[k] / begin) / std::log(end / begin)
+                               : (values[k] - begin) / (end - begin);
+    values[k] = isLog ? low * std::pow(high / low, share) : (1.0 - share) * low + share * high;
   }
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", map);
   points.Set(values.data(), static_cast<unsigned int>(values.size()));

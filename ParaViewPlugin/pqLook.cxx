@@ -160,6 +160,7 @@ void pqLook::addColor(vtkPVXMLElement* xml)
   Color color{ xml->GetAttributeOrEmpty("array"), xml->GetAttributeOrEmpty("none"),
     QString(xml->GetAttributeOrEmpty("scale")) == "log",
     this->proxy()->GetProperty(xml->GetAttributeOrEmpty("of")),
+    this->proxy()->GetProperty(xml->GetAttributeOrEmpty("least")),
     this->proxy()->GetProperty(xml->GetAttributeOrEmpty("property")),
     new QPushButton(xml->GetAttributeOrEmpty("text"), this) };
   color.Button->setObjectName(color.Array);
@@ -461,13 +462,21 @@ void pqLook::colorBy(const Color& color, bool on)
   this->refresh();
 }
 
-/// What its scale is to show: of the numbers, or of what they are shares of.
+/// What its scale is to show: the numbers, and the least one that is wanted, or what they are
+/// shares of.
 std::pair<double, double> pqLook::rangeOf(const Color& color) const
 {
-  const std::pair<double, double> numbers = RangeOf(this->result(), color.Array);
-  return color.Whole
-    ? std::pair(0.0, std::max(vtkSMPropertyHelper(color.Whole).GetAsDouble(), numbers.second))
-    : numbers;
+  std::pair<double, double> numbers = RangeOf(this->result(), color.Array);
+  if (color.Whole)
+  {
+    return { 0.0, std::max(vtkSMPropertyHelper(color.Whole).GetAsDouble(), numbers.second) };
+  }
+  const double least = color.Least ? vtkSMPropertyHelper(color.Least).GetAsDouble() : 0.0;
+  if (least > 0.0)
+  {
+    numbers.first = std::min(least, numbers.first);
+  }
+  return numbers;
 }
 
 /// @param force  also where the user has locked the range of numbers
@@ -475,7 +484,7 @@ void pqLook::fitRange(const Color& color, bool force)
 {
   vtkSMPVRepresentationProxy* display = this->result();
   this->Fitted = this->rangeOf(color);
-  if (color.Whole)
+  if (this->Fitted != RangeOf(display, color.Array))
   {
     pqColors::setRange(display, this->Fitted.first, this->Fitted.second);
   }

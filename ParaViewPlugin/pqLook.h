@@ -8,7 +8,8 @@
 ///       <Property name="Converged"/>
 ///       <Hints>
 ///         <Color text="Displacement" array="Displacement" property="GenerateDisplacement"/>
-///         <Color text="Walls" array="WallThickness" none="not measured" scale="log" note="..."/>
+///         <Color text="Walls" array="WallThickness" none="not measured" scale="log"
+///                least="MinimumThickness" note="..."/>
 ///         <Color text="Remaining Roundness" array="RemainingRoundness" of="Roundness"/>
 ///         <Plain array="STLSolidLabeling"/>
 ///         <Names array="PartId"/>
@@ -18,8 +19,10 @@
 /// The property of the group is there for its place in the panel, see pqPresets.h. A button of
 /// colors switches on the property that makes the array; a note is added to its tooltip. Numbers
 /// that are shares of a property have a scale from 0 to that, or to the largest where that is more,
-/// also when the property changes. The result comes back, and the model is hidden again, with a
-/// second click, with Apply, and where another filter or view is chosen.
+/// also when the property changes. With a least one that is wanted, the scale begins at that where
+/// no number is less, so that what is well above it is not red. The result comes back, and the
+/// model is hidden again, with a second click, with Apply, and where another filter or view is
+/// chosen.
 ///
 /// When the first Apply displays the result, ParaView colors it by the array that colors the model.
 /// It then shows an array of colors as they are, where ParaView would map their magnitude, and the
@@ -82,6 +85,7 @@ private:
     QByteArray None; // what the legend says where there is no number
     bool IsLogarithmic = false;
     vtkSmartPointer<vtkSMProperty> Whole;  // of which the numbers are shares
+    vtkSmartPointer<vtkSMProperty> Least;  // where the scale begins, if it is above 0
     vtkSmartPointer<vtkSMProperty> Switch; // makes the array
     QPushButton* Button;
   };
