@@ -289,6 +289,35 @@ Points Directions(
   return directions;
 }
 
+/// Corners of triangles that run through each other since points have moved.
+/// @param before  triangles that did so already: of a pair not both
+/// @return whether there are any
+bool FindNewCrossings(const TriangleMesh& mesh, const Points& start,
+  const std::vector<char>& before, std::vector<char>& corners)
+{
+  std::vector<char> moved(mesh.F.rows(), 0); // others are as they were
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+  {
+    const auto& t = mesh.F.row(f);
+    moved[f] = mesh.P(t, AllColumns) != start(t, AllColumns) ? 1 : 0;
+  }
+  corners.assign(start.rows(), 0);
+  bool any = false;
+  for (const auto& pair : SelfIntersections(mesh, moved))
+  {
+    if (before[pair[0]] && before[pair[1]])
+    {
+      continue;
+    }
+    any = true;
+    for (const int f : pair)
+    {
+      corners[mesh.F(f, 0)] = corners[mesh.F(f, 1)] = corners[mesh.F(f, 2)] = 1;
+    }
+  }
+  return any;
+}
+
 /// Moves points, less where that would make triangles run through each other.
 /// @param before  triangles that do so already @param stuck  gets points that had no room
 void MoveOutward(TriangleMesh& mesh, const Points& directions, Eigen::VectorXd d,
@@ -304,27 +333,8 @@ void MoveOutward(TriangleMesh& mesh, const Points& directions, Eigen::VectorXd d
     const auto lowest = 0.5 * (start.col(ground.axis).array() + ground.level);
     mesh.P.col(ground.axis) = (start.col(ground.axis).array() == ground.level)
                                 .select(ground.level, mesh.P.col(ground.axis).array().max(lowest));
-    std::vector<char> moved(mesh.F.rows(), 0); // others are as they were
-    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
-    {
-      const auto& t = mesh.F.row(f);
-      moved[f] = mesh.P(t, AllColumns) != start(t, AllColumns) ? 1 : 0;
-    }
-    std::vector<char> touched(start.rows(), 0);
-    bool any = false;
-    for (const auto& pair : SelfIntersections(mesh, moved))
-    {
-      if (before[pair[0]] && before[pair[1]])
-      {
-        continue;
-      }
-      any = true;
-      for (const int f : pair)
-      {
-        touched[mesh.F(f, 0)] = touched[mesh.F(f, 1)] = touched[mesh.F(f, 2)] = 1;
-      }
-    }
-    if (!any)
+    std::vector<char> touched;
+    if (!FindNewCrossings(mesh, start, before, touched))
     {
       return; // in the end, as each time one point more stays
     }
