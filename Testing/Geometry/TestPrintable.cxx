@@ -458,6 +458,27 @@ void TestRim()
   }
 }
 
+/// A wall is measured where the ray along its normal meets the tips of two parts above it.
+void TestTipsAbove()
+{
+  const TriangleMesh plate = Meshes::Box(20, { 1.0, 0.01, 1.0 });
+  TriangleMesh spike;
+  spike.P.resize(4, 3);
+  spike.P << -0.015, 3.0, -0.015, 0.015, 3.0, -0.015, 0.0, 3.0, 0.015, 0.0, 3.05, 0.0;
+  spike.F.resize(4, 3);
+  spike.F << 0, 1, 2, 1, 0, 3, 2, 1, 3, 0, 2, 3;
+  TriangleMesh turned = spike;
+  turned.P.col(0) *= -1.0;
+  turned.P.col(2) *= -1.0;
+  turned.P(3, 1) = 3.04;
+  const Eigen::VectorXd alone = FindWalls(plate, 2).thickness;
+  const Eigen::VectorXd below = FindWalls(Meshes::Together({ plate, spike, turned }), 2).thickness;
+  for (Eigen::Index i = 0; i < plate.P.rows(); ++i)
+  {
+    CHECK(std::isfinite(below(i)) == std::isfinite(alone(i)), "measured below the tips");
+  }
+}
+
 /// Parts that run through each other, and have no room, stay; other walls become thick.
 void TestNoRoomAtOnePlace()
 {
@@ -732,6 +753,7 @@ int main()
   TestLean();
   TestWalls();
   TestRim();
+  TestTipsAbove();
   TestNoRoomAtOnePlace();
   TestThickResult();
   TestThickBall();
