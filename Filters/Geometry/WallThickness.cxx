@@ -7,6 +7,7 @@
 #include "Frame.h"
 #include "Parallel.h"
 #include "SelfIntersections.h"
+#include "ShortestPaths.h"
 #include "SurfaceMeasures.h"
 #include "Thickness.h"
 #include "TriangleTree.h"
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -102,8 +102,7 @@ private:
 /// @param aboveBase  becomes that of the point that d comes from
 void SpreadAlongEdges(const TriangleMesh& mesh, Eigen::VectorXd& d, std::vector<char>& aboveBase)
 {
-  const auto n = static_cast<int>(mesh.P.rows());
-  std::vector<std::vector<int>> neighbors(n);
+  std::vector<std::vector<int>> neighbors(mesh.P.rows());
   for (const auto& t : mesh.F.rowwise())
   {
     for (int k = 0; k < 3; ++k)
@@ -111,33 +110,28 @@ void SpreadAlongEdges(const TriangleMesh& mesh, Eigen::VectorXd& d, std::vector<
       neighbors[t[k]].push_back(t[(k + 1) % 3]); // of a closed surface each edge has both
     }
   }
-  std::priority_queue<std::pair<double, int>> next;
-  for (int i = 0; i < n; ++i)
+  std::vector<int> starts;
+  for (int i = 0; i < d.size(); ++i)
   {
     if (d(i) > 0.0)
     {
-      next.emplace(d(i), i);
+      starts.push_back(i);
     }
   }
-  while (!next.empty())
-  {
-    const auto [value, i] = next.top();
-    next.pop();
-    if (value < d(i))
+  // The paths along which d falls are those along which the way to no motion becomes longer.
+  Eigen::VectorXd ways = -d / WallSlope;
+  LowerAlongPaths(ways, starts,
+    [&](int i, const auto& visit)
     {
-      continue;
-    }
-    for (const int j : neighbors[i])
-    {
-      const double spread = value - WallSlope * (mesh.P.row(i) - mesh.P.row(j)).norm();
-      if (spread > d(j))
+      for (const int j : neighbors[i])
       {
-        d(j) = spread;
-        aboveBase[j] = aboveBase[i];
-        next.emplace(spread, j);
+        if (visit(j, (mesh.P.row(i) - mesh.P.row(j)).norm()))
+        {
+          aboveBase[j] = aboveBase[i];
+        }
       }
-    }
-  }
+    });
+  d = -WallSlope * ways;
 }
 
 /// Normals without what is smaller than h, so that points that are near to each other do not part:

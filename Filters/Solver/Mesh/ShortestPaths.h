@@ -19,7 +19,7 @@ namespace SphericalStyle
 /// @param values  of the points, in and out: those of the starts, and elsewhere what to stay below
 /// @param starts  no point twice
 /// @param forNeighbors  forNeighbors(i, visit) calls visit(j, length) with the length, 0 or more,
-/// of each edge of point i
+/// of each edge of point i; visit returns whether that lowers the value of j
 /// @param limit  paths end before they reach it
 /// @return the points that paths reach, the starts among them, values ascending
 /// Cost: n log n with n points reached.
@@ -47,11 +47,13 @@ std::vector<int> LowerAlongPaths(Values& values, const std::vector<int>& starts,
       [&, from = value](int j, double length)
       {
         const double lowered = from + length;
-        if (lowered < values[j] && lowered < limit)
+        const bool isLower = lowered < values[j] && lowered < limit;
+        if (isLower)
         {
           values[j] = lowered;
           front.push({ lowered, j });
         }
+        return isLower;
       });
   }
   return reached;
