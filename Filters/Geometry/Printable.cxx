@@ -112,9 +112,9 @@ PrintableMeasures Measure(const TriangleMesh& mesh, int axis)
 struct Stand
 {
   DerivedSurface surface;
-  double depth = 0.0;    // of the cut
-  bool isLarger = false; // than the foot that is wanted, to stand
-  double lean = 0.0;     // degrees
+  double depth = 0.0;     // of the cut
+  double footDepth = 0.0; // of the cut for FootArea alone
+  double lean = 0.0;      // degrees
   Eigen::Vector2d shear = Eigen::Vector2d::Zero();
   double tiltAngle = -std::numeric_limits<double>::infinity(); // or what is wanted, if more
   std::string problem;                                         // why there is none
@@ -183,6 +183,23 @@ Stand GiveFoot(const TriangleMesh& mesh, const PrintableOptions& options, double
     " above its lowest point; Surface Metrics shows where. Choose another FootArea, "
     "or 0 for no cut";
   return stand;
+}
+
+/// Of a cut that takes much off; empty where it does not.
+std::string CutRemark(const Stand& stand, const PrintableOptions& options, double height)
+{
+  if (stand.depth <= MuchCut * height)
+  {
+    return {};
+  }
+  const auto share = [height](double depth)
+  { return std::to_string(std::lround(100.0 * depth / height)) + " % "; };
+  return "The foot takes " + share(stand.depth) + "of the height along " + "XYZ"[options.axis] +
+    " off the model" +
+    (options.stabilityAngle > 0.0 && stand.footDepth < stand.depth
+        ? " to make it stand, and " + share(stand.footDepth) + "with StabilityAngle 0; UpAxis"
+        : ": a smaller FootArea takes less, and UpAxis") +
+    " chooses another side to stand on";
 }
 
 /// Of a model that cannot be tilted as far as wanted; empty where it can.
@@ -278,6 +295,7 @@ Stand FindStand(const TriangleMesh& mesh, const PrintableOptions& options)
   const auto square = [](double x) { return x * x; };
   Stand best;
   double least = std::numeric_limits<double>::infinity();
+  double footDepth = deepest;
   std::string problem;
   for (int k = 0;; ++k)
   {
@@ -290,7 +308,7 @@ Stand FindStand(const TriangleMesh& mesh, const PrintableOptions& options)
     }
     options.onStep();
     Stand stand = GiveFoot(mesh, options, area);
-    stand.isLarger = !isFirst;
+    footDepth = isFirst && stand.problem.empty() ? stand.depth : footDepth;
     const bool isLargest = !stand.footRemark.empty();
     if (!isFirst && (isLargest || (stands && square(stand.depth / deepest) >= least)))
     {
@@ -319,6 +337,7 @@ Stand FindStand(const TriangleMesh& mesh, const PrintableOptions& options)
   {
     throw std::invalid_argument(problem);
   }
+  best.footDepth = footDepth;
   return best;
 }
 
@@ -368,13 +387,9 @@ void StandAndScale(
   }
   result.lean = stand.lean;
   result.cutDepth = stand.depth;
-  const double share = stand.depth / Extent(mesh.P, options.axis);
-  if (stand.footRemark.empty() && share > MuchCut)
+  if (stand.footRemark.empty())
   {
-    stand.footRemark = "The foot takes " + std::to_string(std::lround(100.0 * share)) +
-      " % of the height along " + "XYZ"[options.axis] + " off the model: a smaller " +
-      (stand.isLarger && options.stabilityAngle > 0.0 ? "StabilityAngle" : "FootArea") +
-      " takes less, and UpAxis chooses another side to stand on";
+    stand.footRemark = CutRemark(stand, options, Extent(mesh.P, options.axis));
   }
   result.remarks.clear();
   for (const std::string& remark : { stand.footRemark, stand.tiltRemark })

@@ -244,7 +244,8 @@ void CheckMessages(Checker& check)
   both.Warnings.clear();
   both.Output();
   check(both.Warnings.size() == 1 &&
-      Contains(both.Warnings.front(), "off the model: a smaller StabilityAngle takes less"),
+      Contains(both.Warnings.front(),
+        "off the model to make it stand, and 0 % with StabilityAngle 0; UpAxis"),
     "a warning says what the cut is for" + Joined(both.Warnings));
   both.Get()->SetStabilityAngle(10.0);
   const auto warns = [&](const std::string& text)
