@@ -21,9 +21,9 @@
  * arrays of cells are those of the cell that was cut, and 0 on the foot and in filled holes.
  * Normals are recomputed, except that a surface with creases, where points at one place have
  * different ones, comes out without any. The cell array Foot is 1 on new triangles and 0 elsewhere.
- * The point array WallThickness is the distance to the other side of the wall, in the unit of the
- * result, and NaN where there is none. The field array UpAxis (int) is the axis that points up in
- * the result; vtk3MFWriter puts the model onto the plate by it.
+ * The point array WallThickness is the distance to the other side of the wall [walls], in the unit
+ * of the result, and NaN where there is none. The field array UpAxis (int) is the axis that points
+ * up in the result; vtk3MFWriter puts the model onto the plate by it.
  *
  * Output port 1: vtkTable, what was changed: Name, Before, After and Unit. The rows are FootLevel
  * (the lowest level along UpAxis), FootArea (of what lies on it), Height, Volume, CenterOfMassX, Y
@@ -34,8 +34,8 @@
  * The bracketed labels are those of Filters/Documentation/Printable.md. Needs CGAL.
  *
  * Cost: some passes over the triangles, and twice the search for self-intersections: about a second
- * for 100 000 triangles. Thickening takes up to 20 passes, each with three rays for each point: 8
- * to 11 s where many of 50 000 points have thin walls that are near to each other.
+ * for 100 000 triangles. Thickening takes up to 20 passes, each with two rays for most points: 8 to
+ * 15 s where many of 50 000 points have thin walls that are near to each other.
  *
  * @sa vtkSphericalStyleFilter vtkSurfaceMetrics vtkSurfaceDiagnostics
  */

@@ -9,15 +9,14 @@
 #include "SelfIntersections.h"
 #include "ShortestPaths.h"
 #include "SurfaceMeasures.h"
-#include "Thickness.h"
 #include "TriangleTree.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/Sparse>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -31,18 +30,21 @@ constexpr int Passes = 20;
 constexpr double WallSurplus = 0.01;
 /// What is missing, or the number of thin points, falls to this share in a pass, or there is no
 /// room for more.
-constexpr double LeastGain = 0.9;
+constexpr double LeastGain = 0.95;
 /// By how much less the surface moves, over the distance, away from a thin wall.
 constexpr double WallSlope = 0.5;
 /// How often a motion that makes triangles run through each other is halved before the points there
 /// stay.
 constexpr int Halvings = 2;
 
-/// What is outside of a model whose parts may run through each other.
-class Outside
+/// By how much rays are tilted away from what the one before met, in degrees.
+constexpr std::array<double, 3> Tilts = { 0.0, 15.0, 30.0 };
+
+/// The solid of a model whose parts may run through each other.
+class Solid
 {
 public:
-  explicit Outside(const TriangleMesh& mesh)
+  explicit Solid(const TriangleMesh& mesh)
     : Frame(FrameOf(mesh.P))
     , P(Frame.Into(mesh.P))
     , F(mesh.F)
@@ -52,46 +54,107 @@ public:
   {
   }
 
-  Eigen::Vector3d NormalOf(int point) const { return this->Normals.row(point); }
-  Eigen::Vector3d TriangleNormal(int f) const { return this->OfTriangles.row(f); }
-
-  /// Whether a point is not covered by another part.
-  bool SeesPoint(int point) const
+  /// Whether another part covers a point: a ray outward leaves more parts than it enters. It is
+  /// tilted somewhat: in symmetric models rays along normals meet points and edges.
+  bool Covers(int point) const
   {
-    return this->CountAround(this->P.row(point), this->NormalOf(point), point) <= 0;
-  }
-  /// Whether a place on a triangle is not. @param x  in the coordinates of the mesh
-  bool SeesTriangle(int f, const Eigen::RowVector3d& x) const
-  {
-    return this->CountAround(this->Frame.Into(Points(x)).row(0), this->TriangleNormal(f), -1) <= 0;
-  }
-
-private:
-  /// How many parts are around a place beside the surface, by the way out of them along a ray. That
-  /// is tilted somewhat: in symmetric models rays along normals meet points and edges.
-  int CountAround(Eigen::Vector3d place, const Eigen::Vector3d& normal, int point) const
-  {
-    constexpr int MostCrossings = 200;
     const Eigen::Vector3d tilt(0.0071, -0.0113, 0.0094);
-    const Eigen::Vector3d direction = (normal + tilt).normalized();
     int parts = 0;
-    for (int k = 0; k < MostCrossings; ++k)
+    this->Walk(point, (this->Normals.row(point).transpose() + tilt).normalized(), FirstHit::Nothing,
+      [&](const Hit& hit)
+      {
+        parts += hit.isWayOut ? 1 : -1;
+        return true;
+      });
+    return parts > 0;
+  }
+
+  struct Wall
+  {
+    double thickness = std::numeric_limits<double>::infinity(); // length
+    int opposite = -1; // triangle that the ray against the normal meets
+  };
+  /// The wall that a point is on: to where the ray against its normal leaves the parts that it runs
+  /// through; or, where that side does not face away, a ray tilted away from it, if longer.
+  /// @param reach  length
+  Wall FindWall(int point, double reach) const
+  {
+    const double away = std::cos(WallAngle * Pi / 180.0);
+    const Eigen::Vector3d normal = this->Normals.row(point);
+    Eigen::Vector3d aside = Eigen::Vector3d::Zero();
+    double thickness = 0.0;
+    for (const double tilt : Tilts)
     {
-      FirstHit hit(this->P, this->F, place, direction, FirstHit::Nothing);
-      hit.SkipPoint(k == 0 ? point : -1);
-      hit.Search(this->Tree);
-      if (hit.GetTriangle() < 0)
+      const double angle = tilt * Pi / 180.0;
+      const Eigen::Vector3d inward = -std::cos(angle) * normal - std::sin(angle) * aside;
+      const auto [length, f] = this->AlongRay(point, inward, reach);
+      thickness = std::max(thickness, length);
+      if (f < 0)
       {
         break;
       }
-      parts += this->TriangleNormal(hit.GetTriangle()).dot(direction) > 0.0 ? 1 : -1;
-      place += hit.GetDistance() * direction;
+      const Eigen::Vector3d side = this->OfTriangles.row(f);
+      if (normal.dot(side) <= away)
+      {
+        return { thickness, tilt == 0.0 ? f : -1 };
+      }
+      aside = (side - side.dot(normal) * normal).normalized();
     }
-    return parts;
+    return {};
+  }
+
+private:
+  struct Hit
+  {
+    int triangle;
+    bool isWayOut; // of a part: the ray meets it from inside
+    Eigen::Vector3d barycentric;
+  };
+
+  /// What a ray from a point meets, one after the other, until `visit` returns false.
+  /// @param reach  fraction of the diagonal
+  template <typename Visit>
+  void Walk(int point, const Eigen::Vector3d& direction, double reach, const Visit& visit) const
+  {
+    constexpr int MostCrossings = 200;
+    Eigen::Vector3d place = this->P.row(point);
+    for (int k = 0; k < MostCrossings; ++k)
+    {
+      FirstHit ray(this->P, this->F, place, direction, reach);
+      ray.SkipPoint(k == 0 ? point : -1);
+      ray.Search(this->Tree);
+      const int f = ray.GetTriangle();
+      if (f < 0 || !visit({ f, this->OfTriangles.row(f).dot(direction) > 0.0, ray.GetPlace() }))
+      {
+        break;
+      }
+      place += ray.GetDistance() * direction;
+      reach -= ray.GetDistance();
+    }
+  }
+
+  /// To where a ray inward leaves the last of the parts that it runs through.
+  Wall AlongRay(int point, const Eigen::Vector3d& inward, double reach) const
+  {
+    Wall wall;
+    int parts = 1;
+    this->Walk(point, inward, reach / this->Frame.scale,
+      [&](const Hit& hit)
+      {
+        parts -= hit.isWayOut ? 1 : -1;
+        if (parts == 0)
+        {
+          const Eigen::RowVector3d opposite =
+            hit.barycentric.transpose() * this->P(this->F.row(hit.triangle), AllColumns);
+          wall = { this->Frame.scale * (opposite - this->P.row(point)).norm(), hit.triangle };
+        }
+        return parts > 0;
+      });
+    return wall;
   }
 
   SphericalStyle::Frame Frame;
-  Points P;
+  Points P; // in the frame
   Triangles F;
   Points Normals;
   Points OfTriangles; // normals
@@ -234,19 +297,20 @@ std::vector<char> PointsAboveBase(
 Eigen::VectorXd WantedMotions(const TriangleMesh& mesh, const Walls& walls, double wanted,
   const std::vector<char>& stuck, const std::vector<char>& aboveBase)
 {
-  const Eigen::VectorXd missing = wanted - walls.thickness.array().min(wanted);
-  Eigen::VectorXd d = 0.5 * missing;
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(mesh.P.rows());
   for (Eigen::Index i = 0; i < d.size(); ++i)
   {
-    if (missing(i) > 0.0 && aboveBase[i])
+    const double missing = wanted - walls.thickness(i);
+    if (!(missing > 0.0) || walls.opposite[i] < 0)
     {
-      d(i) = missing(i);
+      continue;
     }
-    if (missing(i) > 0.0 && stuck[i])
+    d(i) = std::max(d(i), aboveBase[i] ? missing : 0.5 * missing);
+    if (stuck[i])
     {
       for (const int j : mesh.F.row(walls.opposite[i]))
       {
-        d(j) = std::max(d(j), missing(i));
+        d(j) = std::max(d(j), missing);
       }
     }
   }
@@ -347,32 +411,24 @@ void MoveOutward(TriangleMesh& mesh, const Points& directions, Eigen::VectorXd d
 
 Walls FindWalls(const TriangleMesh& mesh, int threads, double reach)
 {
-  const Eigen::RowVector3d extent = mesh.P.colwise().maxCoeff() - mesh.P.colwise().minCoeff();
-  std::vector<int> all(mesh.P.rows());
-  std::iota(all.begin(), all.end(), 0);
-  const ThicknessProbes probes = PlaceThicknessProbes(mesh, all, threads, reach / extent.norm());
-  Walls walls = { Eigen::VectorXd::Constant(mesh.P.rows(), std::numeric_limits<double>::infinity()),
-    std::vector<int>(mesh.P.rows(), -1) };
-  if (probes.points.empty())
+  const auto n = static_cast<int>(mesh.P.rows());
+  Walls walls = { Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity()),
+    std::vector<int>(n, -1) };
+  if (mesh.F.rows() == 0)
   {
     return walls;
   }
-  const Outside outside(mesh);
-  const double away = std::cos(WallAngle * Pi / 180.0);
-  ParallelFor(static_cast<int>(probes.points.size()), threads,
+  const Solid solid(mesh);
+  ParallelFor(n, threads,
     [&](int begin, int end)
     {
-      for (int k = begin; k < end; ++k)
+      for (int i = begin; i < end; ++i)
       {
-        const int i = probes.points[k];
-        const int f = probes.triangles[k];
-        const Eigen::RowVector3d opposite =
-          probes.barycentric.row(k) * mesh.P(mesh.F.row(f), AllColumns);
-        if (outside.NormalOf(i).dot(outside.TriangleNormal(f)) <= away && outside.SeesPoint(i) &&
-          outside.SeesTriangle(f, opposite))
+        const auto [thickness, opposite] = solid.FindWall(i, reach);
+        if (std::isfinite(thickness) && !solid.Covers(i))
         {
-          walls.thickness(i) = (opposite - mesh.P.row(i)).norm();
-          walls.opposite[i] = f;
+          walls.thickness(i) = thickness;
+          walls.opposite[i] = opposite;
         }
       }
     });

@@ -17,18 +17,20 @@ namespace SphericalStyle
 /// sharp edge is no wall.
 constexpr double WallAngle = 120.0;
 
-/// The other side of the wall that each point is on.
+/// The wall that each point is on.
 struct Walls
 {
   Eigen::VectorXd thickness; ///< infinite where there is none, length
-  std::vector<int> opposite; ///< triangle; -1 where there is none
+  std::vector<int> opposite; ///< triangle along the normal; -1 where there is none that faces away
 };
 
 /// Of each point, how far it is to the other side of the wall that it is on: along the ray against
-/// its normal, to what that meets first. Infinite where the ray meets nothing within reach, or
-/// something that does not face away, and where one of the two is inside of another part. length.
-/// @param mesh  closed, facing outward
-/// Cost: trees of the triangles, and three rays for each point.
+/// its normal, to where that leaves the last of the parts that it runs through. Where that side
+/// does not face away, rays tilted away from it by 15 and 30 degrees are tried, and the longest of
+/// all up to one whose side does counts. Infinite where there is no such side within reach, and for
+/// points inside of another part.
+/// @param mesh  closed, facing outward @param reach  length
+/// Cost: a tree of the triangles, and two rays for most points.
 Walls FindWalls(
   const TriangleMesh& mesh, int threads, double reach = std::numeric_limits<double>::infinity());
 
@@ -39,7 +41,8 @@ struct Ground
   double level = -std::numeric_limits<double>::infinity();
 };
 
-/// Moves both sides of thin walls outward until no point has less than `thickness` below it, by at
+/// Moves both sides of thin walls outward until no point has less than `thickness` below it along
+/// its normal, by at
 /// most half of it, or straight up by all of it where the other side lies on the ground. Next to
 /// them the surface follows at a slope of one half, so that no step comes about. Points stay where
 /// two triangles would run through each other, unless both ran through something before.

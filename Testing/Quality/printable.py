@@ -32,7 +32,7 @@ FOOT = 0.05  # of the rectangle of the bounds
 VOLUME_ERROR = 1e-6
 #: Points that stay thinner: where the rounded model runs through itself already, at ears, lips and folds of cloth
 #: (human-parts, lucy), and at the sharp rim that a slanting cut leaves on the plate (demosthenes-bust).
-THIN = {"demosthenes-bust": 1, "human-parts": 195, "lucy": 390}
+THIN = {"demosthenes-bust": 1, "human-parts": 204, "lucy": 362}
 UP_AXES = {"lucy": "Z", "goblet-vase": "Z"}
 #: What admesh counts before it repairs anything, and has to be 0 of.
 DEFECTS = ("Edges fixed", "Facets removed", "Facets added", "Facets reversed", "Backwards edges", "Normals fixed",
