@@ -78,7 +78,7 @@ preset()
   cd "$project"
   cmake --fresh --preset "$1" -DPython3_EXECUTABLE=/usr/bin/python3
   cmake --build "build-$1"
-  ctest --test-dir "build-$1" --output-on-failure --no-tests=error "${@:2}"
+  ctest --test-dir "build-$1" --output-on-failure --no-tests=error --parallel 2 "${@:2}"
 }
 
 step_asan() { preset asan -LE Window; }
@@ -138,8 +138,8 @@ step_quality()
 {
   local script status
   cd "$project"
-  for script in contact_sheet detail_sizes dirty_meshes limbs mesh_morphing part_sizes parts printable targets \
-    triangulations; do
+  for script in contact_sheet detail_sizes dirty_meshes every_model limbs mesh_morphing part_sizes parts printable \
+    targets triangulations weights; do
     status=0
     PYTHONPATH=$build/build/lib/python3/dist-packages with_display /usr/bin/python3 "Testing/Quality/$script.py" \
       --output "$build/quality/$script" || status=$?
