@@ -145,6 +145,14 @@ void setRange(vtkSMPVRepresentationProxy* display, double low, double high)
   map->UpdateVTKObjects();
 }
 
+bool isLocked(vtkSMPVRepresentationProxy* display)
+{
+  vtkSMProxy* map = MapOf(display);
+  return map &&
+    vtkSMPropertyHelper(map, "AutomaticRescaleRangeMode").GetAsInt() ==
+    vtkSMTransferFunctionManager::NEVER;
+}
+
 void setLogarithmic(vtkSMPVRepresentationProxy* display)
 {
   constexpr double Least = 1e-4; // of the largest number

@@ -31,8 +31,11 @@ void nameNone(vtkSMPVRepresentationProxy* display, vtkSMViewProxy* view, const Q
 
 /// The numbers of the first and the last color, with quantities only; else 0 and 0.
 std::pair<double, double> range(vtkSMPVRepresentationProxy* display);
-/// Stretches or shrinks the color map to these. With quantities only.
+/// Stretches or shrinks the color map to these, also where the user has locked it. With quantities
+/// only.
 void setRange(vtkSMPVRepresentationProxy* display, double low, double high);
+/// Whether the user has chosen that new numbers do not change the range ("Never").
+bool isLocked(vtkSMPVRepresentationProxy* display);
 
 /// A logarithmic color map, for lengths from far below to far above what matters. Where there are
 /// numbers of 0 or less, the smallest ones get the last color. The colors are reversed, so that red

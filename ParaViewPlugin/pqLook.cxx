@@ -484,7 +484,7 @@ void pqLook::fitRange(const Color& color, bool force)
 {
   vtkSMPVRepresentationProxy* display = this->result();
   this->Fitted = this->rangeOf(color);
-  if (this->Fitted != RangeOf(display, color.Array))
+  if (this->Fitted != RangeOf(display, color.Array) && (force || !pqColors::isLocked(display)))
   {
     pqColors::setRange(display, this->Fitted.first, this->Fitted.second);
   }

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) SphericalStyle contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs in ParaView's window: colors the result of Printable by the thickness of its walls, and then by another array.
-Prints "colored" at the end, or an error, and ends the window."""
+The colors of the walls begin at the thickness that is wanted, unless the user has locked their range. Prints "colored"
+at the end, or an error, and ends the window."""
 from paraview import simple
 from window_steps import play, settle
 
@@ -18,6 +19,13 @@ def steps():
     simple.ColorBy(display, ("POINTS", "WallThickness"))
     yield from settle()
     walls = simple.GetColorTransferFunction("WallThickness")
+    for mode, thickness in (("Grow and update on 'Apply'", 0.1), ("Never", 0.2)):
+        walls.AutomaticRescaleRangeMode = mode
+        printable.MinimumThickness = thickness
+        printable.UpdatePipeline()
+        simple.Render(view)
+        yield from settle()
+        assert abs(walls.RGBPoints[0] - 0.1) < 1e-12, (mode, list(walls.RGBPoints))
     before = list(walls.RGBPoints)
     simple.ColorBy(display, ("POINTS", "Elevation"))
     yield from settle()
