@@ -308,7 +308,10 @@ Stand FindStand(const TriangleMesh& mesh, const PrintableOptions& options)
     }
     options.onStep();
     Stand stand = GiveFoot(mesh, options, area);
-    footDepth = isFirst && stand.problem.empty() ? stand.depth : footDepth;
+    if (isFirst && stand.problem.empty())
+    {
+      footDepth = stand.depth;
+    }
     const bool isLargest = !stand.footRemark.empty();
     if (!isFirst && (isLargest || (stands && square(stand.depth / deepest) >= least)))
     {
