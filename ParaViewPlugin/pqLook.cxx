@@ -446,7 +446,7 @@ void pqLook::colorBy(const Color& color, bool on)
     }
     else if (on)
     {
-      this->fitRange(color, /*force=*/true);
+      this->fitRange(color);
     }
     if (on && color.IsLogarithmic)
     {
@@ -479,18 +479,18 @@ std::pair<double, double> pqLook::rangeOf(const Color& color) const
   return numbers;
 }
 
-/// @param force  also where the user has locked the range of numbers
-void pqLook::fitRange(const Color& color, bool force)
+/// Also where the user has locked the range.
+void pqLook::fitRange(const Color& color)
 {
   vtkSMPVRepresentationProxy* display = this->result();
   this->Fitted = this->rangeOf(color);
-  if (this->Fitted != RangeOf(display, color.Array) && (force || !pqColors::isLocked(display)))
+  if (this->Fitted != RangeOf(display, color.Array))
   {
     pqColors::setRange(display, this->Fitted.first, this->Fitted.second);
   }
   else
   {
-    display->RescaleTransferFunctionToDataRange(/*extend=*/false, force);
+    display->RescaleTransferFunctionToDataRange(/*extend=*/false, /*force=*/true);
   }
 }
 
@@ -566,10 +566,10 @@ void pqLook::fitColors()
   // None yet where ParaView is about to set another array, or still that of the array before.
   const bool hasMap = kept != this->Colors.end() && !this->IsColoring &&
     vtkSMPropertyHelper(display, "LookupTable").GetAsProxy();
-  if (hasMap && this->Fitted != this->rangeOf(*kept))
+  if (hasMap && !pqColors::isLocked(display) && this->Fitted != this->rangeOf(*kept))
   {
     SCOPED_UNDO_EXCLUDE();
-    this->fitRange(*kept, /*force=*/false);
+    this->fitRange(*kept);
   }
   if (this->Names.contains(array))
   {

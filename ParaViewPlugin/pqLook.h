@@ -100,7 +100,7 @@ private:
   void fitColors();
   void colorBy(const Color& color, bool on);
   std::pair<double, double> rangeOf(const Color& color) const;
-  void fitRange(const Color& color, bool force);
+  void fitRange(const Color& color);
   void frame(const vtkBoundingBox& now);
   void noteDrawing();
   void refresh();
