@@ -87,15 +87,21 @@ def folder_of(path):
     return "Filters" if folder == "." else folder
 
 
+def is_long(test):
+    """Whether a test of ctest's list has the label Long: its code is run by others, too."""
+    return any(p["name"] == "LABELS" and "Long" in p["value"] for p in test["properties"])
+
+
 class Tests:
-    """The tests of a build, the quickest ones first."""
+    """The tests of a build but for those of the label Long, the quickest ones first."""
 
     def __init__(self, build):
         self.Build = build
         listed = subprocess.run(
             ["ctest", "--test-dir", build, "--show-only=json-v1"], check=True, capture_output=True
         )
-        self.Costs = {t["name"]: 0.0 for t in json.loads(listed.stdout)["tests"]}
+        kept = [t for t in json.loads(listed.stdout)["tests"] if t["name"] == SPREAD or not is_long(t)]
+        self.Costs = {t["name"]: 0.0 for t in kept}
         while failed := self.first_failure(self.tried()):
             if failed not in self.Costs:
                 sys.exit("ctest fails and names no test")
