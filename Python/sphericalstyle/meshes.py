@@ -95,11 +95,23 @@ def _cells(faces):
         sizes, numbers = np.array([len(row) for row in rows]), np.concatenate([np.empty(0, int), *rows])
     if numbers.size and numbers.dtype.kind not in "iu":
         raise ValueError(f"{words}; it has numbers of {numbers.dtype}")
+    _refuse_counts(sizes, numbers)
     offsets = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
     cells = vtkCellArray()
     cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
                   numpy_to_vtkIdTypeArray(np.ascontiguousarray(numbers, np.int64), deep=True))
     return cells
+
+
+def _refuse_counts(sizes, numbers):
+    """Refuses rows such as 3, a, b, c, which would be quads: all begin with their count of corners, and the point of
+    that number occurs in some of them again, as it does in no quad."""
+    if len(sizes) == 0 or (sizes != sizes[0]).any() or sizes[0] < 4:
+        return
+    rows, count = numbers.reshape(-1, sizes[0]), sizes[0] - 1
+    if (rows[:, 0] == count).all() and (rows[:, 1:] == count).any():
+        raise ValueError(f"each face begins with {count}, as if that were its count of corners, which faces of VTK and"
+                         " PyVista have; leave that out, faces[:, 1:] of an array, or give the PyVista mesh itself")
 
 
 def _points(surface):

@@ -265,6 +265,9 @@ fails(TypeError, "round() takes a vtkPolyData, a PyVista mesh", 3)
 fails(ValueError, "points must be an array of n x 3 numbers; it is 5 x 2 of float64", (np.zeros((5, 2)), F))
 fails(ValueError, "faces must be an array of m x 3", (P, F.ravel()))
 fails(ValueError, "faces must be an array of m x 3", (P, F.astype(float)))
+counted = np.insert(F, 0, 3, axis=1)  # as PyVista has them
+fails(ValueError, "each face begins with 3", (P, counted))
+fails(ValueError, "each face begins with 3", (P, counted.tolist()))
 fails(ss.Error, f"names point {len(P)}, the input has {len(P)}", (P, [[0, 1, len(P)]]))
 bad = P.copy()
 bad[7] = np.nan
