@@ -338,9 +338,9 @@ void MakeTable(vtkTable* table, const PrintableResult& result, const ClosedInput
   }
   add("MinimumThickness", orNaN(old.thickness), orNaN(made.thickness), "length");
   add("TiltAngle", old.tiltAngle, made.tiltAngle, "degrees");
-  add("CutDepth", 0.0, result.cutDepth, "length");
+  add("CutDepth", 0.0, result.cutDepth * result.factor, "length");
   add("Lean", 0.0, result.lean, "degrees");
-  add("Thickened", 0.0, result.thickened, "length");
+  add("Thickened", 0.0, result.thickened * result.factor, "length");
   add("Factor", 1.0, result.factor, "");
   add("HolesClosed", 0.0, closed.HolesClosed, "");
   add("NonManifoldEdges", closed.NonManifoldEdges, 0.0, "");

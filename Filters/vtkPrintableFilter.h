@@ -25,11 +25,12 @@
  * of the result, and NaN where there is none. The field array UpAxis (int) is the axis that points
  * up in the result; vtk3MFWriter puts the model onto the plate by it.
  *
- * Output port 1: vtkTable, what was changed: Name, Before, After and Unit. The rows are FootLevel
- * (the lowest level along UpAxis), FootArea (of what lies on it), Height, Volume, CenterOfMassX, Y
- * and Z, MinimumThickness, TiltAngle (by which the model can be tilted before it falls over),
- * CutDepth, Lean, Thickened (the longest motion of a point for it), Factor (of the size),
- * HolesClosed, NonManifoldEdges, Points, Triangles and SelfIntersectingTriangles.
+ * Output port 1: vtkTable, what was changed: Name, Before (lengths of the model), After (those of
+ * the result) and Unit. The rows are FootLevel (the lowest level along UpAxis), FootArea (of what
+ * lies on it), Height, Volume, CenterOfMassX, Y and Z, MinimumThickness, TiltAngle (by which the
+ * model can be tilted before it falls over), CutDepth, Lean, Thickened (the longest motion of a
+ * point for it), Factor (of the size), HolesClosed, NonManifoldEdges, Points, Triangles and
+ * SelfIntersectingTriangles.
  *
  * The bracketed labels are those of Filters/Documentation/Printable.md. Needs CGAL.
  *

@@ -151,6 +151,10 @@ void CheckPlaces(Checker& check)
   check(printed.Entry("FootArea", "Before") == 0.0 && printed.Entry("FootArea") > 0.0 &&
       printed.Entry("CutDepth") > 0.0,
     "and what was cut");
+  const double height = printed.Entry("Height", "Before") * printed.Entry("Factor");
+  check(printed.Entry("Lean") == 0.0 &&
+      std::abs(height - printed.Entry("CutDepth") - printed.Entry("Height")) < 1e-9 * height,
+    "in the unit of the result");
 }
 
 void CheckWalls(Checker& check)
@@ -163,7 +167,7 @@ void CheckWalls(Checker& check)
   vtkPolyData* output = printed.Output();
   check(printed.Errors.empty() && printed.Warnings.empty(), "walls are made thicker");
   check(printed.Entry("MinimumThickness", "Before") < 0.04 &&
-      printed.Entry("MinimumThickness") >= 3.0 && printed.Entry("Thickened") > 0.01,
+      printed.Entry("MinimumThickness") >= 3.0 && printed.Entry("Thickened") > 1.0,
     "the table says how thick they were and are");
   vtkDataArray* thickness = output->GetPointData()->GetArray("WallThickness");
   double least = HUGE_VAL;

@@ -167,7 +167,7 @@ def main():
         thin = count_thin(output)
         thin_before = count_thin(printed(name, toy, 0.0)[0])
         row = {key: value[1] for key, value in rows.items()}
-        height = rows["Height"][0]
+        height = rows["Height"][0] * row["Factor"]
         print(f"| {name} | {row['TiltAngle']:.1f} | {row['Lean']:.1f} | {100 * row['CutDepth'] / height:.1f}"
               f" | {rows['MinimumThickness'][0] * row['Factor']:.3f} | {row['MinimumThickness']:.3f}"
               f" | {thin_before} to {thin}"
