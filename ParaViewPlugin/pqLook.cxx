@@ -35,11 +35,14 @@
 #include <QSignalBlocker>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
 /// More would be wider than the panel at first; what comes then has the next row for itself.
 constexpr int ButtonsInRow = 2;
+
+constexpr int ZAxis = 2;
 
 void SetVisible(vtkSMProxy* representation, bool visible)
 {
@@ -98,6 +101,54 @@ bool IsFromInside(const pqView* view, const vtkBoundingBox& box)
   return shown && box.ContainsPoint(shown->GetActiveCamera()->GetPosition());
 }
 
+/// The axis that a direction is nearest to: "x" or "-x".
+QString AxisOf(const double* direction)
+{
+  const double* longest = std::max_element(direction, direction + 3,
+    [](double one, double other) { return std::abs(one) < std::abs(other); });
+  return QString(*longest < 0.0 ? "-" : "") + "xyz"[longest - direction];
+}
+
+/// A direction of the model, in the axes of a result whose z-axis is an axis of the model.
+void Turn(double* direction, int axis)
+{
+  if (axis != ZAxis)
+  {
+    std::swap(direction[axis], direction[ZAxis]);
+    direction[axis] = -direction[axis];
+  }
+}
+
+void TurnBack(double* direction, int axis)
+{
+  if (axis != ZAxis)
+  {
+    direction[axis] = -direction[axis];
+    std::swap(direction[axis], direction[ZAxis]);
+  }
+}
+
+void TurnCamera(vtkSMRenderViewProxy* shown, int from, int to)
+{
+  vtkCamera* camera = shown->GetActiveCamera();
+  double focus[3], back[3], up[3];
+  camera->GetFocalPoint(focus);
+  camera->GetPosition(back);
+  vtkMath::Subtract(back, focus, back);
+  camera->GetViewUp(up);
+  for (double* direction : { back, up })
+  {
+    TurnBack(direction, from);
+    Turn(direction, to);
+  }
+  vtkMath::Add(focus, back, back);
+  SCOPED_UNDO_EXCLUDE();
+  vtkSMPropertyHelper(shown, "CameraFocalPoint").Set(focus, 3);
+  vtkSMPropertyHelper(shown, "CameraPosition").Set(back, 3);
+  vtkSMPropertyHelper(shown, "CameraViewUp").Set(up, 3);
+  shown->UpdateVTKObjects();
+}
+
 /// What a display is colored by, and whether the array has the colors itself.
 QString ColorWords(vtkSMPVRepresentationProxy* display)
 {
@@ -133,6 +184,11 @@ pqLook::pqLook(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parent
     {
       this->addColor(hint);
     }
+    else if (QString(hint->GetName()) == "Turn")
+    {
+      this->IsTurned = smproxy->GetProperty(hint->GetAttributeOrEmpty("property"));
+      this->Up = smproxy->GetProperty(hint->GetAttributeOrEmpty("axis"));
+    }
     else
     {
       const bool plain = QString(hint->GetName()) == "Plain";
@@ -152,6 +208,7 @@ pqLook::pqLook(vtkSMProxy* smproxy, vtkSMPropertyGroup* smgroup, QWidget* parent
       Qt::QueuedConnection);
   }
   this->Framed = KnownBounds(vtkSMSourceProxy::SafeDownCast(smproxy), 0);
+  this->FramedUp = this->upOfResult();
   this->refresh();
 }
 
@@ -211,8 +268,9 @@ void pqLook::showFirst(pqProxy* applied)
     const vtkSMPropertyHelper input(this->proxy(), "Input");
     this->Framed =
       KnownBounds(vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()), input.GetOutputPort());
+    this->FramedUp = ZAxis;
     // The panel says that it was executed only after this.
-    this->frame(BoundsOf(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0));
+    this->frame(BoundsOf(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0), this->upOfResult());
   }
   else
   {
@@ -383,6 +441,20 @@ QString pqLook::range() const
   return QString("%1 to %2").arg(ends.first, 0, 'g', 3).arg(ends.second, 0, 'g', 3);
 }
 
+QString pqLook::camera() const
+{
+  auto* shown =
+    vtkSMRenderViewProxy::SafeDownCast(this->view() ? this->view()->getViewProxy() : nullptr);
+  if (!shown)
+  {
+    return {};
+  }
+  double from[3];
+  shown->GetActiveCamera()->GetDirectionOfProjection(from);
+  vtkMath::MultiplyScalar(from, -1.0);
+  return AxisOf(shown->GetActiveCamera()->GetViewUp()) + " up, from " + AxisOf(from);
+}
+
 void pqLook::showModel(bool show)
 {
   SCOPED_UNDO_EXCLUDE();
@@ -402,13 +474,13 @@ void pqLook::showModel(bool show)
       known ? known : controller->Show(source, input.GetOutputPort(), this->view()->getViewProxy());
     SetVisible(this->Shown, true);
     SetVisible(this->Hidden, false);
-    this->frame(KnownBounds(source, input.GetOutputPort()));
+    this->frame(KnownBounds(source, input.GetOutputPort()), ZAxis);
   }
   else
   {
     SetVisible(this->Hidden, true);
     SetVisible(this->Shown, this->WasShown);
-    this->frame(KnownBounds(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0));
+    this->frame(KnownBounds(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0), this->upOfResult());
     this->Hidden = nullptr;
     this->Shown = nullptr;
   }
@@ -494,36 +566,52 @@ void pqLook::fitRange(const Color& color)
   }
 }
 
-void pqLook::frame(const vtkBoundingBox& now)
+/// The axis of the model that is the z-axis of the result.
+int pqLook::upOfResult() const
+{
+  const bool isTurned = this->IsTurned && vtkSMPropertyHelper(this->IsTurned).GetAsInt() != 0;
+  return isTurned && this->Up ? vtkSMPropertyHelper(this->Up).GetAsInt() : ZAxis;
+}
+
+/// Whether the camera may not see what the view is to show now.
+bool pqLook::isElsewhere(const vtkBoundingBox& now) const
 {
   constexpr double Larger = 1.1;
   constexpr double MuchLarger = 3.0;
-  auto* camera =
+  const double size = now.GetDiagonalLength();
+  const double before = this->Framed.GetDiagonalLength();
+  double from[3], to[3];
+  this->Framed.GetCenter(from);
+  now.GetCenter(to);
+  const bool comesAround = size > Larger * before && IsFromInside(this->view(), now) &&
+    !IsFromInside(this->view(), this->Framed);
+  return size > MuchLarger * before || before > MuchLarger * size || comesAround ||
+    vtkMath::Distance2BetweenPoints(from, to) > before * before;
+}
+
+void pqLook::frame(const vtkBoundingBox& now, int up)
+{
+  auto* shown =
     vtkSMRenderViewProxy::SafeDownCast(this->view() ? this->view()->getViewProxy() : nullptr);
-  if (!now.IsValid() || !camera)
+  if (!now.IsValid() || !shown)
   {
     return;
   }
-  if (this->Framed.IsValid())
+  const bool isTurned = up != this->FramedUp;
+  if (this->Framed.IsValid() && (isTurned || this->isElsewhere(now)))
   {
-    const double size = now.GetDiagonalLength();
-    const double before = this->Framed.GetDiagonalLength();
-    double from[3], to[3];
-    this->Framed.GetCenter(from);
-    now.GetCenter(to);
-    const bool comesAround = size > Larger * before && IsFromInside(this->view(), now) &&
-      !IsFromInside(this->view(), this->Framed);
-    if (size > MuchLarger * before || before > MuchLarger * size || comesAround ||
-      vtkMath::Distance2BetweenPoints(from, to) > before * before)
+    if (isTurned)
     {
-      camera->ResetCamera();
-      this->IsDrawn = false;
-      QObject::connect(
-        this->view(), &pqView::endRender, this, &pqLook::noteDrawing, Qt::UniqueConnection);
-      this->view()->render();
+      TurnCamera(shown, this->FramedUp, up);
     }
+    shown->ResetCamera();
+    this->IsDrawn = false;
+    QObject::connect(
+      this->view(), &pqView::endRender, this, &pqLook::noteDrawing, Qt::UniqueConnection);
+    this->view()->render();
   }
   this->Framed = now;
+  this->FramedUp = up;
 }
 
 void pqLook::noteDrawing()
@@ -537,7 +625,7 @@ void pqLook::refresh()
   this->colorAfterFailure();
   if (IsVisible(this->result()))
   {
-    this->frame(KnownBounds(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0));
+    this->frame(KnownBounds(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0), this->upOfResult());
   }
   this->Observers.clear();
   vtkSMPVRepresentationProxy* display = this->result();

@@ -11,6 +11,7 @@
 ///         <Color text="Walls" array="WallThickness" none="not measured" scale="log"
 ///                least="MinimumThickness" note="..."/>
 ///         <Color text="Remaining Roundness" array="RemainingRoundness" of="Roundness"/>
+///         <Turn property="PlaceOnPlate" axis="UpAxis"/>
 ///         <Plain array="STLSolidLabeling"/>
 ///         <Names array="PartId"/>
 ///       </Hints>
@@ -34,7 +35,8 @@
 ///
 /// Where what the view shows is over three times as large or small as what was there before, or
 /// somewhere else, or grows by a tenth and around the camera, the camera is reset: so with a model
-/// that Printable makes 80 mm high.
+/// that Printable makes 80 mm high. Where the property of Turn is on, the filter turns the axis of
+/// the model to z, the shortest way. The camera turns with it, and sees the same side as before.
 #ifndef pqLook_h
 #define pqLook_h
 
@@ -65,6 +67,8 @@ class pqLook : public pqPropertyWidget
   Q_PROPERTY(QString seen READ seen)
   /// For tests, of the color map of the result: "0 to 2".
   Q_PROPERTY(QString range READ range)
+  /// For tests, of the view: "y up, from z".
+  Q_PROPERTY(QString camera READ camera)
 
 public:
   pqLook(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
@@ -77,6 +81,7 @@ public:
 
   QString seen() const;
   QString range() const;
+  QString camera() const;
 
 private:
   struct Color
@@ -101,7 +106,9 @@ private:
   void colorBy(const Color& color, bool on);
   std::pair<double, double> rangeOf(const Color& color) const;
   void fitRange(const Color& color);
-  void frame(const vtkBoundingBox& now);
+  int upOfResult() const;
+  bool isElsewhere(const vtkBoundingBox& now) const;
+  void frame(const vtkBoundingBox& now, int up);
   void noteDrawing();
   void refresh();
   void updateButtons();
@@ -118,14 +125,17 @@ private:
   vtkWeakPointer<vtkSMProxy> WithColors; // a display of colors as they are
   QMetaObject::Connection FirstApply;
   QPointer<pqPipelineSource> Source;
-  vtkWeakPointer<vtkSMProxy> Shown;  // the model, in place of the result
-  vtkWeakPointer<vtkSMProxy> Hidden; // the result
-  bool WasShown = false;             // the model too
-  vtkBoundingBox Framed;             // what the view showed last
-  std::pair<double, double> Fitted;  // the range of a color map that is kept
-  bool IsColoring = false;           // a button sets another array
-  bool IsDrawn = true;               // since the camera was reset
-  pqObservers Observers;             // of the result's display
+  vtkWeakPointer<vtkSMProxy> Shown;        // the model, in place of the result
+  vtkWeakPointer<vtkSMProxy> Hidden;       // the result
+  bool WasShown = false;                   // the model too
+  vtkBoundingBox Framed;                   // what the view showed last
+  int FramedUp = 2;                        // the axis of the model that was its z-axis
+  vtkSmartPointer<vtkSMProperty> IsTurned; // whether the filter turns the model
+  vtkSmartPointer<vtkSMProperty> Up;       // the axis that it turns to z
+  std::pair<double, double> Fitted;        // the range of a color map that is kept
+  bool IsColoring = false;                 // a button sets another array
+  bool IsDrawn = true;                     // since the camera was reset
+  pqObservers Observers;                   // of the result's display
   pqObservers FilterObservers;
 };
 

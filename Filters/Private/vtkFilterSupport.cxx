@@ -334,10 +334,12 @@ std::string Triple(const double* x)
 
 std::array<PlateAxis, 3> PlateAxes(int upAxis)
 {
-  if (upAxis == 1)
+  std::array<PlateAxis, 3> axes{ { { 0, 1.0 }, { 1, 1.0 }, { 2, 1.0 } } };
+  if (upAxis != 2)
   {
-    return { { { 0, 1.0 }, { 2, -1.0 }, { 1, 1.0 } } };
+    std::swap(axes[upAxis], axes[2]);
+    axes[upAxis].Sign = -1.0;
   }
-  return { { { (upAxis + 1) % 3, 1.0 }, { (upAxis + 2) % 3, 1.0 }, { upAxis, 1.0 } } };
+  return axes;
 }
 }

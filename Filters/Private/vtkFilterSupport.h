@@ -121,8 +121,8 @@ struct PlateAxis
   double Sign;
 };
 
-/// What become x, y and z where a model is turned so that z points up, as programs for printers
-/// have it. Where y points up, what faces z then faces -y, their front.
+/// What become x, y and z where a model is turned, the shortest way, so that z points up, as
+/// programs for printers have it. Where y points up, what faces z then faces -y, their front.
 std::array<PlateAxis, 3> PlateAxes(int upAxis);
 }
 
