@@ -286,6 +286,8 @@ void TestHulls()
     const Matrix3d turn = random.Rotation();
     const Points P = Turned(Meshes::Box(8, { 1.0, 0.5, 0.2 }).P, turn, random.InCube());
     CheckHull("turned box", P, 0.8, 1e-13);
+    const Eigen::Index corners = ConvexHull(P).mesh.P.rows();
+    CHECK(corners == 8, "turned box: " << corners << " corners, with points in edges and faces");
     CheckHull("turned box in single precision", InSinglePrecision(P), 0.8, 1e-5);
   }
   for (const double scale : { 1e-100, 1e-30, 1e30, 1e100 })
