@@ -643,10 +643,11 @@ std::vector<std::pair<std::string, std::function<void(vtkPolyData*)>>> Changes()
     { "another surface", [](vtkPolyData* s) { s->DeepCopy(MakeKleinBottle()); } } };
 }
 
-/// @param all  or every third change
-/// @param number  of the subject: another third than for the next one
+/// @param all  or every third change, of a slow filter every ninth
+/// @param number  of the subject: others than for the next one
 void CheckChanges(Checker& check, const Subject& subject, bool all, int number)
 {
+  const int step = all ? 1 : subject.isSlow ? 9 : 3;
   const Surface input = MakeBall();
   Run kept(subject);
   kept(input);
@@ -654,7 +655,7 @@ void CheckChanges(Checker& check, const Subject& subject, bool all, int number)
   {
     check.About(subject.name + ", changed: " + name);
     change(input);
-    if (!all && ++number % 3 != 0)
+    if (++number % step != 0)
     {
       continue;
     }
