@@ -314,6 +314,18 @@ void TestTurnedOver()
     const bool far = (sheet.P(sheet.F.row(f), AllColumns).col(0).array().abs() > 0.39).all();
     CHECK(!far || !over[f], "triangle " << f << " is far from the fold");
   }
+  // The mean of the rotations at the corners decides.
+  const TriangleMesh triangle = Meshes::Patch(1, 0.0);
+  const Eigen::Matrix3d halfTurn = Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
+  for (int k = 0; k < 3; ++k)
+  {
+    Matrices one(triangle.P.rows(), Eigen::Matrix3d::Identity());
+    Matrices two(triangle.P.rows(), halfTurn);
+    one[triangle.F(0, k)] = halfTurn;
+    two[triangle.F(0, k)] = Eigen::Matrix3d::Identity();
+    CHECK(!TurnedOver(triangle.P, triangle.P, triangle.F, one)[0], "one corner of three: " << k);
+    CHECK(TurnedOver(triangle.P, triangle.P, triangle.F, two)[0], "all corners but " << k);
+  }
 }
 
 /// Areas and volumes are infinite at the large sizes and 0 at the small ones, but what has no unit
