@@ -423,8 +423,9 @@ void TestWalls()
       "a rod through a ball at " << x << ": " << ofBoth(i));
   }
 
-  // Plates that lie in each other are one wall.
-  const TriangleMesh pair = Meshes::Together({ plate, Meshes::Moved(plate, { 0.3, 0.015, 0.3 }) });
+  // Plates that lie in each other are one wall, and one in front of them changes nothing.
+  const TriangleMesh pair = Meshes::Together(
+    { plate, Meshes::Moved(plate, { 0.3, 0.015, 0.3 }), Meshes::Moved(plate, { 0.0, 1.0, 0.0 }) });
   const Eigen::VectorXd ofPair = FindWalls(pair, 2).thickness;
   for (Eigen::Index i = 0; i < plate.P.rows(); ++i)
   {
@@ -450,8 +451,18 @@ void TestWalls()
     }
   }
 
-  // No room: two plates nearer to each other than they have to grow.
+  // A part that a ray enters and leaves again covers nothing.
   const TriangleMesh two = Meshes::Together({ plate, Meshes::Moved(plate, { 0.0, 0.04, 0.0 }) });
+  const Eigen::VectorXd ofTwo = FindWalls(two, 2).thickness;
+  for (Eigen::Index i = 0; i < two.P.rows(); ++i)
+  {
+    if (std::max(std::abs(two.P(i, 0)), std::abs(two.P(i, 2))) < 0.95)
+    {
+      CHECK_NEAR(ofTwo(i), 0.02, 1e-12, "a plate with another one in front of it");
+    }
+  }
+
+  // No room: they are nearer to each other than they have to grow.
   const TriangleMesh tight{ ThickenWalls(two, 0.1, 2), two.F };
   CHECK(SelfIntersections(tight).empty(), "plates do not run through each other");
   CHECK(FindWalls(tight, 2).thickness.minCoeff() < 0.1, "so they stay thinner");
