@@ -39,7 +39,12 @@ CONSTANT = re.compile(r"(?<![\w.<\[])(?:\d+\.\d*(?:e[-+]?\d+)?|\d+)(?![\w.>\]])"
 CONDITION = re.compile(r"\bif \(")
 GROUPS = ("Solver.", "Geometry.", "Cxx.")
 SPREAD = "ParaView.SurfaceInParts2"  # what only several processes do
-WRITERS = {"3MF": "Python.3MFWriter", "GLTF": "Python.StyleGLTFWriter"}  # by a part of the file's name
+OTHERS = {  # tests in Python, by a part of the name of the file
+    "3MF": "Python.3MFWriter",
+    "Distributed": "ParaView.DistributedSurface",
+    "GLTF": "Python.StyleGLTFWriter",
+    "Zip": "Python.3MFWriter",
+}
 TESTS_AT_ONCE = 12
 SLOW = 20.0  # seconds of a test that is left out, unless it has the name of the file or is of its folder
 LIMIT = 300  # seconds of a processor, of a test that was changed into an endless loop
@@ -122,18 +127,18 @@ class Tests:
 
     def tried(self):
         """All that may be used for some file."""
-        others = (SPREAD, *WRITERS.values())
-        return [name for name in self.Costs if name.startswith(GROUPS) or name in others]
+        more = (SPREAD, *OTHERS.values())
+        return [name for name in self.Costs if name.startswith(GROUPS) or name in more]
 
     def batches_for(self, path):
         own = f"Test{path.stem.removeprefix('vtk')}"
-        writer = next((test for word, test in WRITERS.items() if word in path.stem), None)
+        other = next((test for word, test in OTHERS.items() if word in path.stem), None)
         beside = {test.stem for test in (ROOT / "Testing" / folder_of(path)).glob("Test*.cxx")}
         first = folder_of(path).split("/")[0]
         groups = [first, "Cxx"] if first in ("Solver", "Geometry") else ["Cxx"]
         left = sorted(self.Costs, key=self.Costs.get)
         for chosen in (
-            lambda group, test: test.startswith(own) or f"{group}.{test}" == writer,
+            lambda group, test: test.startswith(own) or f"{group}.{test}" == other,
             lambda group, test: test in beside,
             *(lambda group, test, g=g: group == g and self.Costs[f"{g}.{test}"] <= SLOW for g in groups),
             lambda group, test: f"{group}.{test}" == SPREAD,
