@@ -94,10 +94,16 @@ std::pair<double, double> RangeOf(vtkSMPVRepresentationProxy* display, const QBy
                 : std::pair(0.0, 0.0);
 }
 
+/// A view with a camera; null without a view, and for a chart or a table.
+vtkSMRenderViewProxy* RenderViewOf(const pqView* view)
+{
+  return vtkSMRenderViewProxy::SafeDownCast(view ? view->getViewProxy() : nullptr);
+}
+
 /// Whether the camera is among the points of a box.
 bool IsFromInside(const pqView* view, const vtkBoundingBox& box)
 {
-  auto* shown = vtkSMRenderViewProxy::SafeDownCast(view->getViewProxy());
+  vtkSMRenderViewProxy* shown = RenderViewOf(view);
   return shown && box.ContainsPoint(shown->GetActiveCamera()->GetPosition());
 }
 
@@ -443,8 +449,7 @@ QString pqLook::range() const
 
 QString pqLook::camera() const
 {
-  auto* shown =
-    vtkSMRenderViewProxy::SafeDownCast(this->view() ? this->view()->getViewProxy() : nullptr);
+  vtkSMRenderViewProxy* shown = RenderViewOf(this->view());
   if (!shown)
   {
     return {};
@@ -591,8 +596,7 @@ bool pqLook::isElsewhere(const vtkBoundingBox& now) const
 
 void pqLook::frame(const vtkBoundingBox& now, int up)
 {
-  auto* shown =
-    vtkSMRenderViewProxy::SafeDownCast(this->view() ? this->view()->getViewProxy() : nullptr);
+  vtkSMRenderViewProxy* shown = RenderViewOf(this->view());
   if (!now.IsValid() || !shown)
   {
     return;
