@@ -10,9 +10,9 @@
  * Output port 1: vtkTable, one row for the start and one per iteration: Iteration, Total, Rigid,
  * the filter's own term (energies, length^2), LocalChange, GlobalChange, Residual (Eq. 3.46 of the
  * thesis), Gap (estimated, see Tolerance; NaN while unknown). Its field data: StageSeconds (Base,
- * Weights, Analyze, Factor, Iterate, Triangles), LinearSolver, Spheres (4: center and radius; no
- * tuples without a sphere), NumberOfStitches and NumberOfWallStitches (0 unless the filter says
- * more).
+ * Weights, Analyze, Factor, Iterate, Triangles), LinearSolver, Spheres (4: center and radius;
+ * empty where the filter has no sphere), and NumberOfStitches and NumberOfWallStitches, which are 0
+ * where it makes none.
  *
  * @sa vtkSphericalStyleFilter vtkNonlinearStyleFilter vtkLocalTermAlgorithm
  */
