@@ -132,16 +132,42 @@ struct vtkResizedParts
   }
 };
 
-/// Parts that were looked for, and the surface that has them.
-struct vtkPartSizesFilter::FoundParts
+/// What is known of a surface, and the surface.
+struct vtkPartSizesFilter::KnownParts
 {
   SphericalStyle::TriangleMesh Mesh;
   std::vector<int> MeshPoint;
-  vtkSmartPointer<vtkDataArray> Ids; // of the points of the input
+  vtkSmartPointer<vtkDataArray> FoundIds; // of the points of the input; none where they were given
+
+  // Of these parts and this BlendWidth.
+  std::vector<int> OfPoints;
+  double BlendWidth = 0.0;
+  std::shared_ptr<const SphericalStyle::PartSizes> Sized;
+
+  explicit KnownParts(const vtkSurfaceMesh& surface)
+    : Mesh(surface.Mesh)
+    , MeshPoint(surface.MeshPoint)
+  {
+  }
 
   bool AreOf(const vtkSurfaceMesh& surface) const
   {
     return this->Mesh == surface.Mesh && this->MeshPoint == surface.MeshPoint;
+  }
+
+  /// @param P  in the frame
+  std::shared_ptr<const SphericalStyle::PartSizes> SizedFor(
+    const Points& P, const vtkResizedParts& parts, double blendWidth, int threads)
+  {
+    if (!this->Sized || this->OfPoints != parts.OfPoints || this->BlendWidth != blendWidth)
+    {
+      this->Sized = nullptr; // first, so that there are never two
+      this->Sized = std::make_shared<SphericalStyle::PartSizes>(
+        P, this->Mesh.F, parts.OfPoints, parts.Count(), blendWidth, threads);
+      this->OfPoints = parts.OfPoints;
+      this->BlendWidth = blendWidth;
+    }
+    return this->Sized;
   }
 };
 
@@ -405,11 +431,12 @@ int vtkPartSizesFilter::Execute(
   const vtkSurfaceMesh surface = Conversion::FromPolyData(input, true);
   vtkDataArray* ids = this->FindIds(input);
   const bool areFound = ids == nullptr;
-  ids = areFound ? this->FindParts(input, surface) : ids;
-  if (!ids)
+  const std::shared_ptr<KnownParts> known = this->Know(input, surface, areFound);
+  if (!known)
   {
     return 1; // aborted: nothing comes out, as everywhere in VTK
   }
+  ids = areFound ? known->FoundIds.Get() : ids;
   vtkResizedParts parts = this->TakeParts(ids, input->GetNumberOfPoints(), surface);
   Warn(this, Conversion::FannedRemark(surface));
   Warn(this, Conversion::SkippedRemark(surface));
@@ -424,8 +451,7 @@ int vtkPartSizesFilter::Execute(
     const int threads = ThreadsToUse(this->NumberOfThreads);
     this->SetProgressText("Resizing parts");
     this->UpdateProgress(0.1);
-    const SphericalStyle::PartSizes sized(
-      P, surface.Mesh.F, parts.OfPoints, parts.Count(), this->BlendWidth, threads);
+    const auto sized = known->SizedFor(P, parts, this->BlendWidth, threads);
     this->UpdateProgress(0.8);
     if (Aborted(this))
     {
@@ -435,12 +461,12 @@ int vtkPartSizesFilter::Execute(
       !this->NormalBlends.Values.empty())
     {
       this->EffectiveHead =
-        SizeHead(sized, P, surface.Mesh.F, this->Head, this->UpAxis, this->HeadHeight, parts);
+        SizeHead(*sized, P, surface.Mesh.F, this->Head, this->UpAxis, this->HeadHeight, parts);
     }
-    shares = sized.GetShares();
+    shares = sized->GetShares();
     if ((parts.Sizes.Values.array() != 1.0).any()) // else to the bit
     {
-      Points moved = sized.Sized(parts.Sizes.Values);
+      Points moved = sized->Sized(parts.Sizes.Values);
       SphericalStyle::SizeOptions place;
       place.up = Eigen::Vector3d::Unit(this->UpAxis);
       place.keepOnGround = this->KeepOnGround;
@@ -503,13 +529,35 @@ vtkDataArray* vtkPartSizesFilter::FindIds(vtkPolyData* input)
   return chosen ? chosen : input->GetPointData()->GetArray("PartId");
 }
 
-/// As vtkSurfacePartsFilter numbers them. @return nullptr after an abort
-vtkDataArray* vtkPartSizesFilter::FindParts(vtkPolyData* input, const vtkSurfaceMesh& surface)
+/// @param search  whether parts are to be looked for, where that was not done
+/// @return nullptr after an abort
+std::shared_ptr<vtkPartSizesFilter::KnownParts> vtkPartSizesFilter::Know(
+  vtkPolyData* input, const vtkSurfaceMesh& surface, bool search)
 {
-  if (this->Found && this->Found->AreOf(surface))
+  // Held here: an observer of progress may ask for an update of another surface.
+  std::shared_ptr<KnownParts> known = this->Known;
+  const bool isSame = known && known->AreOf(surface);
+  vtkSmartPointer<vtkDataArray> found = isSame ? known->FoundIds : nullptr;
+  if (search && !found)
   {
-    return this->Found->Ids;
+    found = this->FindParts(input);
+    if (!found)
+    {
+      return nullptr;
+    }
   }
+  if (!isSame)
+  {
+    known = std::make_shared<KnownParts>(surface);
+  }
+  known->FoundIds = found;
+  this->Known = known;
+  return known;
+}
+
+/// As vtkSurfacePartsFilter numbers them. @return nullptr after an abort
+vtkSmartPointer<vtkDataArray> vtkPartSizesFilter::FindParts(vtkPolyData* input)
+{
   this->SetProgressText("Looking for parts");
   vtkNew<vtkPolyData> bare;
   bare->CopyStructure(input);
@@ -551,8 +599,7 @@ vtkDataArray* vtkPartSizesFilter::FindParts(vtkPolyData* input, const vtkSurface
       (failure.empty() ? "not enough memory" : failure) + // also for the message
       "); choose an array of points as PartArray");
   }
-  this->Found = std::make_unique<FoundParts>(FoundParts{ surface.Mesh, surface.MeshPoint, ids });
-  return this->Found->Ids;
+  return ids;
 }
 
 /// @throw std::invalid_argument

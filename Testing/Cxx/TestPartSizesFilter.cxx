@@ -478,6 +478,38 @@ void PartsOfItsOwn(Checker& check)
   sizedAs(aborted.Get(), bare);
 }
 
+/// What the filter keeps of a surface holds for its points, its parts and the width.
+void Kept(Checker& check)
+{
+  check.About("what is kept");
+  const Surface input = Snowman();
+  Sizes sizes(input);
+  sizes->SetPartSize(HeadPart, 1.5);
+  const auto isAsNew = [&](const char* change)
+  {
+    input->Modified();
+    Sizes anew(input);
+    anew->SetPartSize(HeadPart, 1.5);
+    anew->SetBlendWidth(sizes->GetBlendWidth());
+    check(SamePoints(sizes.Output(), anew.Output()), std::string("after ") + change);
+  };
+  isAsNew("nothing");
+  const Surface before = Copied(sizes.Output());
+  sizes->SetPartSize(HeadPart, 1.2);
+  sizes.Output();
+  sizes->SetPartSize(HeadPart, 1.5);
+  check(SamePoints(sizes.Output(), before), "after another size");
+  sizes->SetBlendWidth(0.1);
+  isAsNew("another width");
+  Number(input, input->GetNumberOfPoints() / 4);
+  isAsNew("other numbers");
+  check(!SamePoints(sizes.Output(), before), "the other parts should show");
+  double place[3];
+  input->GetPoints()->GetPoint(0, place);
+  input->GetPoints()->SetPoint(0, place[0], place[1] + 0.01, place[2]);
+  isAsNew("another place of a point");
+}
+
 /// Rows of a table, of which two may be of one part.
 void Rows(Checker& check)
 {
@@ -699,6 +731,7 @@ int TestPartSizesFilter(int, char*[])
   GoingAlong(check);
   HeadHeight(check);
   Refused(check);
+  Kept(check);
   Rows(check);
   PartsOfItsOwn(check);
   Styles(check);
