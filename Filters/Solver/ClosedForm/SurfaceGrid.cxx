@@ -1023,6 +1023,7 @@ SparseCholesky::Matrix SurfaceGrid::Assemble(
 struct SurfaceGrid::CellPair
 {
   std::array<int, 2> cells; // active cells, ascending
+  std::array<int, 3> apart; // from the first cell to the second
   double weight;
   std::array<Eigen::Vector3d, 2> t; // weighted places in these cells
 };
@@ -1032,18 +1033,19 @@ std::vector<SurfaceGrid::CellPair> SurfaceGrid::CellPairs(const std::vector<Grid
   std::vector<CellPair> found;
   for (const GridPair& pair : pairs)
   {
-    CellPair both = { {}, pair.weight, {} };
+    const std::array<Place, 2> places = { this->Locate(pair.u.transpose()),
+      this->Locate(pair.v.transpose()) };
+    std::array<int, 2> cells;
     for (int side = 0; side < 2; ++side)
     {
-      const Place place = this->Locate((side == 0 ? pair.u : pair.v).transpose());
-      both.cells[side] = this->CellOfBox[BoxIndex(this->Half, place.cell)];
-      both.t[side] = pair.weight * place.t;
+      cells[side] = this->CellOfBox[BoxIndex(this->Half, places[side].cell)];
     }
-    if (both.cells[0] > both.cells[1])
-    {
-      std::swap(both.cells[0], both.cells[1]);
-      std::swap(both.t[0], both.t[1]);
-    }
+    const int first = cells[0] <= cells[1] ? 0 : 1;
+    const Place& from = places[first];
+    const Place& to = places[1 - first];
+    const CellPair both = { { cells[first], cells[1 - first] },
+      { to.cell[0] - from.cell[0], to.cell[1] - from.cell[1], to.cell[2] - from.cell[2] },
+      pair.weight, { pair.weight * from.t, pair.weight * to.t } };
     if (both.cells[0] != Outside)
     {
       found.push_back(both);
@@ -1070,64 +1072,70 @@ std::vector<SurfaceGrid::CellPair> SurfaceGrid::CellPairs(const std::vector<Grid
   return sums;
 }
 
-std::vector<std::array<int, 3>> SurfaceGrid::PlacesOfFunctions() const
-{
-  const std::array<int, 2> boxes = { 2 * this->Half[0] + 1, 2 * this->Half[1] + 1 };
-  std::vector<std::array<int, 3>> places(this->NumberOfFunctions);
-  for (std::size_t box = 0; box < this->CellOfBox.size(); ++box)
-  {
-    const int cell = this->CellOfBox[box];
-    const int at = static_cast<int>(box);
-    for (int g = 0; cell != Outside && g < Near; ++g)
-    {
-      places[this->Functions[static_cast<std::size_t>(Near) * cell + g]] = { at % boxes[0] + g % 3,
-        at / boxes[0] % boxes[1] + g / 3 % 3, at / boxes[0] / boxes[1] + g / 9 };
-    }
-  }
-  return places;
-}
-
 namespace
 {
-constexpr int PairReach = 6; // a wall is thinner than 2 s, three cells
-constexpr int PairWidth = 2 * PairReach + 1;
-constexpr int PairMiddle = PairWidth * PairWidth * PairWidth / 2;
-
-/// Entries that are not 0. @param nodes  places of functions along each axis @param rows  emptied
-std::vector<Eigen::Triplet<double>> EntriesOf(const std::array<int, 3>& nodes,
-  const std::vector<std::array<int, 3>>& places, std::vector<std::vector<double>>& rows)
+/// Half of a matrix, for pairs of functions that are not far apart. The numbers of functions follow
+/// their places, by z, then y, then x, so that an entry is found by how far the function of its row
+/// is from that of its column.
+class NearEntries
 {
-  const int functions = static_cast<int>(places.size());
-  const std::size_t box = static_cast<std::size_t>(nodes[0]) * nodes[1] * nodes[2];
-  std::vector<int> functionAt(box, Outside);
-  const auto index = [&](const std::array<int, 3>& place)
+public:
+  /// @param reach  the farthest along each axis @param used  of each function, whether it has some
+  NearEntries(const std::array<int, 3>& reach, const std::vector<char>& used)
+    : Stride{ 1, 2 * reach[0] + 1, (2 * reach[0] + 1) * (2 * reach[1] + 1) }
+    , Length(1 + this->Along(reach))
+    , Columns(used.size(), Outside)
   {
-    return place[0] +
-      static_cast<std::size_t>(nodes[0]) *
-      (place[1] + static_cast<std::size_t>(nodes[1]) * place[2]);
-  };
-  for (int g = 0; g < functions; ++g)
-  {
-    functionAt[index(places[g])] = g;
-  }
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int g = 0; g < functions; ++g)
-  {
-    for (std::size_t k = 0; k < rows[g].size(); ++k)
+    int columns = 0;
+    for (std::size_t g = 0; g < used.size(); ++g)
     {
-      if (rows[g][k] != 0.0)
+      this->Columns[g] = used[g] ? columns++ : Outside;
+    }
+    this->Rows.assign(columns * this->Length, Outside);
+    this->Values.assign(this->Rows.size(), 0.0);
+  }
+
+  int Along(const std::array<int, 3>& shift) const
+  {
+    return shift[0] * this->Stride[0] + shift[1] * this->Stride[1] + shift[2] * this->Stride[2];
+  }
+  /// @param apart  Along, from the function b to a
+  void Add(int a, int b, int apart, double value)
+  {
+    const std::size_t at = this->Columns[std::min(a, b)] * this->Length + std::abs(apart);
+    this->Rows[at] = std::max(a, b);
+    this->Values[at] += value;
+  }
+  /// Entries that are not 0.
+  SparseCholesky::Matrix Matrix() const
+  {
+    const auto functions = static_cast<int>(this->Columns.size());
+    SparseCholesky::Matrix A(functions, functions);
+    A.reserve(std::count_if(
+      this->Values.begin(), this->Values.end(), [](double value) { return value != 0.0; }));
+    for (int g = 0; g < functions; ++g)
+    {
+      A.startVec(g);
+      const std::size_t begin = this->Columns[g] * this->Length;
+      for (std::size_t at = begin; this->Columns[g] != Outside && at < begin + this->Length; ++at)
       {
-        const int shift = static_cast<int>(k) + PairMiddle;
-        const std::array<int, 3> other = { places[g][0] + shift % PairWidth - PairReach,
-          places[g][1] + shift / PairWidth % PairWidth - PairReach,
-          places[g][2] + shift / PairWidth / PairWidth - PairReach };
-        entries.emplace_back(functionAt[index(other)], g, rows[g][k]);
+        if (this->Values[at] != 0.0)
+        {
+          A.insertBack(this->Rows[at], g) = this->Values[at];
+        }
       }
     }
-    std::vector<double>().swap(rows[g]);
+    A.finalize();
+    return A;
   }
-  return entries;
-}
+
+private:
+  std::array<int, 3> Stride;
+  std::size_t Length;
+  std::vector<int> Columns; // of each function, among those that have entries
+  std::vector<int> Rows;
+  std::vector<double> Values;
+};
 }
 
 void SurfaceGrid::AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::Matrix& A) const
@@ -1137,38 +1145,36 @@ void SurfaceGrid::AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::M
   {
     return;
   }
-  // The numbers of functions follow their places, so that an entry is found by the place of the
-  // other function from here: up to PairReach away along each axis.
-  const std::vector<std::array<int, 3>> places = this->PlacesOfFunctions();
-  std::vector<std::vector<double>> rows(this->NumberOfFunctions); // from PairMiddle on
-  const auto add = [&](int a, int b, double value)
+  std::array<int, 3> reach = { 2, 2, 2 }; // of the functions of one cell
+  std::vector<char> used(this->NumberOfFunctions, 0);
+  for (const CellPair& sum : sums)
   {
-    const int column = std::min(a, b);
-    const int row = std::max(a, b);
-    std::array<int, 3> shift;
     for (int axis = 0; axis < 3; ++axis)
     {
-      shift[axis] = places[row][axis] - places[column][axis] + PairReach;
+      reach[axis] = std::max(reach[axis], 2 + std::abs(sum.apart[axis]));
     }
-    if (rows[column].empty())
+    for (const int cell : sum.cells)
     {
-      rows[column].assign(PairMiddle + 1, 0.0);
+      const int* functions = this->Functions.data() + static_cast<std::ptrdiff_t>(Near) * cell;
+      std::for_each(functions, functions + Near, [&](int g) { used[g] = 1; });
     }
-    rows[column][shift[0] + PairWidth * (shift[1] + PairWidth * shift[2]) - PairMiddle] += value;
-  };
+  }
+  NearEntries entries(reach, used);
   const double scale = this->Size * this->Size;
   for (const CellPair& sum : sums)
   {
     std::array<int, 2 * Near> functions = {};
+    std::array<int, 2 * Near> places = {};
     std::array<double, 2 * Near> phi = {};
     for (int side = 0; side < 2; ++side)
     {
       const LocalFunctions local(sum.t[side] / sum.weight);
       for (int g = 0; g < Near; ++g)
       {
-        functions[Near * side + g] =
-          this->Functions[static_cast<std::size_t>(Near) * sum.cells[side] + g];
-        phi[Near * side + g] = side == 0 ? local.phi[g] : -local.phi[g];
+        const int at = Near * side + g;
+        functions[at] = this->Functions[static_cast<std::size_t>(Near) * sum.cells[side] + g];
+        places[at] = side * entries.Along(sum.apart) + entries.Along({ g % 3, g / 3 % 3, g / 9 });
+        phi[at] = side == 0 ? local.phi[g] : -local.phi[g];
       }
     }
     for (int a = 0; a < 2 * Near; ++a)
@@ -1178,15 +1184,12 @@ void SurfaceGrid::AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::M
         // A function that both sides have comes twice off the diagonal of this block, and is on
         // that of A.
         const double share = a != b && functions[a] == functions[b] ? 2.0 : 1.0;
-        add(functions[a], functions[b], share * scale * sum.weight * phi[a] * phi[b]);
+        entries.Add(functions[a], functions[b], places[a] - places[b],
+          share * scale * sum.weight * phi[a] * phi[b]);
       }
     }
   }
-  const std::vector<Eigen::Triplet<double>> entries = EntriesOf(
-    { 2 * this->Half[0] + 3, 2 * this->Half[1] + 3, 2 * this->Half[2] + 3 }, places, rows);
-  SparseCholesky::Matrix more(A.rows(), A.cols());
-  more.setFromTriplets(entries.begin(), entries.end());
-  A += more;
+  A += entries.Matrix();
   A.makeCompressed();
 }
 

@@ -158,7 +158,6 @@ private:
   SparseCholesky::Matrix Assemble(
     double mass, const Eigen::VectorXd& stiffness, double across, int threads) const;
   std::vector<CellPair> CellPairs(const std::vector<GridPair>& pairs) const;
-  std::vector<std::array<int, 3>> PlacesOfFunctions() const;
   void AddPairs(const std::vector<GridPair>& pairs, SparseCholesky::Matrix& A) const;
   /// @param locate  gives the functions at place i, or nullptr, and where it is in their cell
   template <typename Placing>
