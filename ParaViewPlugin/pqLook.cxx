@@ -267,14 +267,14 @@ void pqLook::showFirst(pqProxy* applied)
   }
   QObject::disconnect(this->FirstApply);
   this->FirstApply = {};
+  const vtkSMPropertyHelper input(this->proxy(), "Input");
+  this->Framed =
+    KnownBounds(vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()), input.GetOutputPort());
+  this->FramedUp = ZAxis;
   vtkSMPVRepresentationProxy* display = this->result();
   if (display && HasPoints(this->proxy()))
   {
     this->colorFirst(display);
-    const vtkSMPropertyHelper input(this->proxy(), "Input");
-    this->Framed =
-      KnownBounds(vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()), input.GetOutputPort());
-    this->FramedUp = ZAxis;
     // The panel says that it was executed only after this.
     this->frame(BoundsOf(vtkSMSourceProxy::SafeDownCast(this->proxy()), 0), this->upOfResult());
   }
