@@ -446,7 +446,7 @@ void TestOrders()
 {
   Meshes::Random random(13);
   std::vector<Model> models = Models();
-  models.push_back({ "prism of 6002 corners", ParabolicPrism(1500) });
+  models.push_back({ "prism of 1602 corners", ParabolicPrism(400) });
   for (const Model& model : models)
   {
     const ScatteredMemory memory(14);

@@ -155,7 +155,7 @@ void LinearFields(const Framed& s, double size)
   {
     noise.data()[i] = random.Signed();
   }
-  const Eigen::MatrixXd M = grid.GetWeights().asDiagonal();
+  const auto M = grid.GetWeights().asDiagonal();
   const Fields smooth = grid.AtSamples(grid.Smooth(noise, 2), 2);
   // <x, S y> is symmetric, positive, and no more than <x, x>.
   const Eigen::Matrix2d products = noise.transpose() * M * smooth;
