@@ -19,6 +19,71 @@
 #include <QTimer>
 
 #include <cmath>
+#include <string>
+
+namespace
+{
+constexpr int ZAxis = 2;
+constexpr int Unknown = -1;
+
+/// The axis that points up in what a filter gives, where it has one with an effect.
+int UpOfResult(vtkSMProxy* filter, vtkSMProperty* axis)
+{
+  vtkPVXMLElement* hints = axis->GetHints();
+  for (unsigned int k = 0; hints && k < hints->GetNumberOfNestedElements(); ++k)
+  {
+    vtkPVXMLElement* hint = hints->GetNestedElement(k);
+    if (std::string(hint->GetAttributeOrEmpty("type")) != "UpOfView")
+    {
+      continue;
+    }
+    const auto isOn = [&](const char* attribute, double value)
+    {
+      vtkSMProperty* other = filter->GetProperty(hint->GetAttributeOrEmpty(attribute));
+      return other && vtkSMPropertyHelper(other).GetAsDouble() == value;
+    };
+    double value = 0.0;
+    if (!hint->GetScalarAttribute("value", &value) || isOn("property", value))
+    {
+      return isOn("turned", 1.0) ? ZAxis : vtkSMPropertyHelper(axis).GetAsInt();
+    }
+  }
+  return Unknown;
+}
+
+/// The axis that points up in the input of a filter, as the nearest filter before it has it.
+/// @param name  of the property
+int UpOfInput(vtkSMProxy* filter, const char* name)
+{
+  const vtkSMPropertyHelper input(filter, "Input", /*quiet=*/true);
+  vtkSMProxy* before = input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr;
+  if (!before || std::string(before->GetXMLName()) == "TransformFilter")
+  {
+    return Unknown;
+  }
+  vtkSMProperty* axis = before->GetProperty(name);
+  const int up = axis ? UpOfResult(before, axis) : Unknown;
+  return up != Unknown ? up : UpOfInput(before, name);
+}
+
+/// The axis that points up in a view, or down: nearest to its up direction.
+int UpOf(pqView* view)
+{
+  auto* shown = view ? vtkSMRenderViewProxy::SafeDownCast(view->getProxy()) : nullptr;
+  if (!shown)
+  {
+    return Unknown;
+  }
+  double up[3];
+  shown->GetActiveCamera()->GetViewUp(up);
+  int axis = 0;
+  for (int k = 1; k < 3; ++k)
+  {
+    axis = std::abs(up[k]) > std::abs(up[axis]) ? k : axis;
+  }
+  return axis;
+}
+}
 
 pqUpOfView::pqUpOfView(vtkPVXMLElement* xml, pqPropertyWidget* widget)
   : pqPropertyWidgetDecorator(xml, widget)
@@ -83,18 +148,11 @@ void pqUpOfView::follow()
 void pqUpOfView::setAxis()
 {
   pqPropertyWidget* widget = this->parentWidget();
-  auto* shown =
-    widget->view() ? vtkSMRenderViewProxy::SafeDownCast(widget->view()->getProxy()) : nullptr;
-  if (!shown)
+  const int before = UpOfInput(widget->proxy(), widget->property()->GetXMLName());
+  const int axis = before != Unknown ? before : UpOf(widget->view());
+  if (axis == Unknown)
   {
     return;
-  }
-  double up[3];
-  shown->GetActiveCamera()->GetViewUp(up);
-  int axis = 0;
-  for (int k = 1; k < 3; ++k)
-  {
-    axis = std::abs(up[k]) > std::abs(up[axis]) ? k : axis;
   }
   this->OwnAxis = axis;
   if (pqShownValue::get(widget->property()) == this->OwnAxis)
