@@ -118,6 +118,19 @@ void pqUpOfView::begin()
   if (filter && filter->modifiedState() == pqProxy::UNINITIALIZED && !this->isChosen())
   {
     this->setAxis();
+    QObject::connect(
+      filter, &pqProxy::modifiedStateChanged, this, [this, filter] { this->forget(filter); });
+  }
+}
+
+/// Where undo has taken back that the filter was made, redo makes it again, and then its first
+/// Apply. That sets no property to the value that it has, and what is shown here would stay.
+void pqUpOfView::forget(const pqPipelineSource* filter)
+{
+  vtkSMProperty* axis = this->parentWidget()->property();
+  if (filter->modifiedState() == pqProxy::UNMODIFIED)
+  {
+    pqShownValue::set(axis, vtkSMPropertyHelper(axis).GetAsDouble());
   }
 }
 

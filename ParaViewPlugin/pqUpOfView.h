@@ -24,6 +24,7 @@
 #include "pqPropertyWidgetDecorator.h"
 #include "vtkWeakPointer.h"
 
+class pqPipelineSource;
 class vtkSMProperty;
 
 class pqUpOfView : public pqPropertyWidgetDecorator
@@ -35,6 +36,7 @@ public:
 
 private:
   void begin();
+  void forget(const pqPipelineSource* filter);
   bool isNeeded() const;
   bool isChosen() const;
   void follow();
